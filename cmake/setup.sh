@@ -1,0 +1,123 @@
+# shellcheck shell=bash
+# Sourced by examples/run, tests/run and .ci/run: finds or installs what riprap needs, then
+# configures and builds in build/release.
+
+root=$(CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
+build=$root/build/release
+log=$build/setup.log
+jobs=$(nproc 2>/dev/null || getconf _NPROCESSORS_ONLN)
+
+# Debian package | header that shows it is there, or several to choose from | name
+libraries=(
+  "libeigen3-dev|eigen3/Eigen/Core Eigen/Core|Eigen 3.3"
+  "libboost-dev|boost/version.hpp|Boost 1.74 (headers)"
+  "libcli11-dev|CLI/CLI.hpp|CLI11"
+  "nlohmann-json3-dev|nlohmann/json.hpp|nlohmann-json 3"
+)
+
+# To stderr, so that what an example prints can be piped.
+say() { printf '%s\n' "$*" >&2; }
+
+# quietly COMMAND...: its output is shown only when it fails, and then this is the end.
+quietly() {
+  mkdir -p "$build"
+  "$@" >"$log" 2>&1 </dev/null && return
+  cat "$log" >&2
+  say "failed: $*"
+  exit 1
+}
+
+# g++ 12 and clang 16 are what riprap is held to; older ones may know what is asked for here.
+has_compiler() {
+  local compiler
+  read -ra compiler <<<"${CXX:-c++}"
+  "${compiler[@]}" -std=c++20 -fsyntax-only -x c++ - >/dev/null 2>&1 <<'SOURCE'
+#include <version>
+#if !defined(__cpp_lib_ranges) || !defined(__cpp_aggregate_paren_init)
+#error not enough of C++20
+#endif
+SOURCE
+}
+
+has_cmake() {
+  local version
+  version=$(cmake --version 2>/dev/null | sed -n 's/^cmake version //p')
+  [[ $(printf '%s\n' 3.21 "$version" | sort -V | head -n 1) == 3.21 ]]
+}
+
+# has_header HEADER...: is one of them where CMake looks for libraries, that is under
+# CMAKE_PREFIX_PATH, next to a bin folder on PATH, or in /usr?
+has_header() {
+  local prefix header
+  while IFS= read -r -d : prefix; do
+    for header in "$@"; do
+      [[ -e ${prefix%/*bin}/include/$header ]] && return
+    done
+  done <<<"${CMAKE_PREFIX_PATH:-}:$PATH:/usr:"
+  return 1
+}
+
+# Fills `missing` with the packages and says what each of them is.
+look_for_needs() {
+  local library package headers name
+  missing=()
+  has_compiler || { missing+=(g++); say "missing: a C++20 compiler, g++ 12 or clang 16 (CXX says which)"; }
+  has_cmake || { missing+=(cmake); say "missing: CMake 3.21"; }
+  command -v make >/dev/null || { missing+=(make); say "missing: make"; }
+  for library in "${libraries[@]}"; do
+    IFS='|' read -r package headers name <<<"$library"
+    # shellcheck disable=SC2086 # several headers
+    has_header $headers || { missing+=("$package"); say "missing: $name"; }
+  done
+}
+
+install_needs() {
+  local as_root=(env)
+  look_for_needs
+  ((${#missing[@]})) || return 0
+
+  ((EUID == 0)) || as_root=(sudo env)
+  if ! command -v apt-get >/dev/null || ! command -v "${as_root[0]}" >/dev/null; then
+    say "Install these (by the names of their Debian packages) and try again: ${missing[*]}"
+    say "Libraries in a place of their own are found through CMAKE_PREFIX_PATH."
+    exit 1
+  fi
+  say "installing ${missing[*]} ..."
+  quietly "${as_root[@]}" apt-get update
+  quietly "${as_root[@]}" DEBIAN_FRONTEND=noninteractive \
+    apt-get install --yes --no-install-recommends "${missing[@]}"
+
+  look_for_needs
+  ((${#missing[@]} == 0)) || { say "still missing after the installation"; exit 1; }
+}
+
+# configure SETTING...: configures build/release, unless that is done and the settings (NAME=ON or
+# NAME=OFF) are as they stand. The two named below may also come from the environment.
+configure() {
+  local settings=("$@") setting done=$build/configured
+  for setting in RIPRAP_WARNINGS_AS_ERRORS RIPRAP_CHECK_HEADERS; do
+    [[ -z ${!setting:-} ]] || settings+=("$setting=${!setting}")
+  done
+  for setting in "${settings[@]}"; do
+    grep -qsx "${setting/=/:BOOL=}" "$build/CMakeCache.txt" || rm -f "$done"
+  done
+  [[ ! -e $done ]] || return 0
+
+  if [[ ! -e $build/CMakeCache.txt ]]; then
+    # Only what is asked for, so that running an example does not need doctest.
+    settings=(CMAKE_BUILD_TYPE=Release RIPRAP_BUILD_TESTS=OFF RIPRAP_BUILD_EXAMPLES=OFF
+      RIPRAP_BUILD_BENCHMARKS=OFF "${settings[@]}")
+  fi
+  quietly cmake -S "$root" -B "$build" "${settings[@]/#/-D}"
+  touch "$done"
+}
+
+build_target() { quietly cmake --build "$build" --target "$1" --parallel "$jobs"; }
+
+example_names() {
+  local folder name
+  for folder in "$root"/examples/*/; do
+    name=$(basename "$folder")
+    [[ ! -f $folder$name.cpp ]] || echo "$name"
+  done
+}

@@ -1,0 +1,59 @@
+#pragma once
+/// @file
+/// The role of the failure criterion, and what derives from any model of it.
+
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <numbers>
+
+namespace riprap {
+
+/// A `FailureCriterion` is a curve in the plane of the principal stresses, compression positive.
+///
+/// - `criterion.major_stress_at_failure(minor)` [Pa]: sigma_1f for a given sigma_3; must rise at
+///   least as fast as sigma_3 does.
+/// - `criterion.tensile_strength()` [Pa], positive: an element fails in tension where
+///   sigma_3 <= -tensile_strength.
+///
+/// Optional:
+/// - `criterion.friction_angle(minor)` [rad]: else it follows from the slope of the curve.
+/// - `criterion.validate()`: throws InvalidInput for parameters that break a rule.
+/// - `C::never_fails == true`: the stress analysis is left out of the program.
+template <class C>
+concept FailureCriterion = requires(const C& criterion, double minor) {
+  { criterion.major_stress_at_failure(minor) } -> std::convertible_to<double>;
+  { criterion.tensile_strength() } -> std::convertible_to<double>;
+};
+
+/// True for a criterion that says of itself that nothing ever fails by it.
+template <class C>
+inline constexpr bool never_fails = [] {
+  if constexpr (requires { C::never_fails; })
+    return static_cast<bool>(C::never_fails);
+  else
+    return false;
+}();
+
+/// Friction angle [rad] from the slope k = d sigma_1f / d sigma_3 of a failure curve:
+/// sin phi = (k - 1) / (k + 1).
+[[nodiscard]] inline double friction_angle_from_slope(double slope) {
+  return std::asin((slope - 1) / (slope + 1));
+}
+
+/// Friction angle [rad] at sigma_3 = minor [Pa]: the criterion's own where it has one, else from the
+/// slope of its curve by a difference towards compression, where the curve is defined.
+template <FailureCriterion C>
+[[nodiscard]] double friction_angle(const C& criterion, double minor) {
+  if constexpr (requires { criterion.friction_angle(minor); }) {
+    return criterion.friction_angle(minor);
+  } else {
+    const double step = 1e-6 * (std::abs(minor) + criterion.tensile_strength());
+    const double slope = (criterion.major_stress_at_failure(minor + step) -
+                          criterion.major_stress_at_failure(minor)) /
+                         step;
+    return friction_angle_from_slope(slope);
+  }
+}
+
+}  // namespace riprap

@@ -1,0 +1,93 @@
+#pragma once
+/// @file
+/// Has an element failed, how, and along which planes: eqs 2, 3 and 6 of the paper.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <span>
+
+#include <riprap/breakage/criterion/concepts.hpp>
+#include <riprap/core/stress2.hpp>
+
+namespace riprap {
+
+/// How an element has failed.
+enum class FailureMode : std::uint8_t { intact, tension, shear };
+
+[[nodiscard]] constexpr const char* to_text(FailureMode mode) {
+  return mode == FailureMode::tension ? "tension" : mode == FailureMode::shear ? "shear" : "intact";
+}
+
+/// Mode and safety factor of one element.
+struct ElementFailure {
+  FailureMode mode = FailureMode::intact;
+  double safety_factor = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] bool failed() const { return mode != FailureMode::intact; }
+  /// Weight of the element in the line fit, eq. 3.
+  [[nodiscard]] double weight() const { return 1 / safety_factor; }
+};
+
+/// Eq. 2, compression positive. Tension first: sigma_3 <= -sigma_t, SF = sigma_t / |sigma_3|. Then
+/// shear: sigma_1 >= sigma_1f, SF = sigma_1f / sigma_1. An intact element without compression has
+/// no ratio: infinity. In the narrow band next to the tensile strength where sigma_1f itself is not
+/// positive, the ratio of eq. 2 has no meaning; such an element counts as failed in tension.
+template <FailureCriterion C>
+[[nodiscard]] ElementFailure evaluate(const C& criterion, const Stress2& stress) {
+  const double centre = stress.mean();
+  const double radius = stress.radius();
+  const double major = centre + radius;
+  const double minor = centre - radius;
+  const double tensile = criterion.tensile_strength();
+  if (minor <= -tensile) return {FailureMode::tension, tensile / -minor};
+  const double limit = criterion.major_stress_at_failure(minor);
+  if (major >= limit) {
+    if (limit <= 0) return {FailureMode::tension, std::min(1.0, tensile / std::abs(minor))};
+    return {FailureMode::shear, limit / major};
+  }
+  if (major > 0) return {FailureMode::intact, limit / major};
+  return {};
+}
+
+/// One or two candidate directions of the crack, as unit vectors.
+struct FailurePlanes {
+  std::array<Vec2, 2> directions{Vec2{1, 0}, Vec2{1, 0}};
+  std::size_t count = 0;
+
+  [[nodiscard]] std::span<const Vec2> span() const { return {directions.data(), count}; }
+
+  /// Smallest angle [rad] between a direction and one of the planes.
+  [[nodiscard]] double angle_to(const Vec2& direction) const {
+    double least = 0.5 * std::numbers::pi;
+    for (const Vec2& plane : span())
+      least = std::min(least, std::atan2(std::abs(cross(plane, direction)),
+                                         std::abs(plane.dot(direction))));
+    return least;
+  }
+};
+
+/// Eq. 6 and Fig. 2 put right: a tensile crack runs across the largest tension, along the major
+/// direction; shear planes lie at +-(pi/4 - phi/2) from the major direction.
+template <FailureCriterion C>
+[[nodiscard]] FailurePlanes failure_planes(const C& criterion, const Stress2& stress,
+                                           FailureMode mode) {
+  const PrincipalStress principal = stress.principal();
+  FailurePlanes planes;
+  if (mode == FailureMode::tension) {
+    planes.directions[0] = principal.major_direction;
+    planes.count = 1;
+  } else if (mode == FailureMode::shear) {
+    const double off = std::numbers::pi / 4 - 0.5 * friction_angle(criterion, principal.minor);
+    const Rotation turn = Rotation::from_angle(off);
+    planes.directions[0] = turn * principal.major_direction;
+    planes.directions[1] = turn.inverse_times(principal.major_direction);
+    planes.count = 2;
+  }
+  return planes;
+}
+
+}  // namespace riprap

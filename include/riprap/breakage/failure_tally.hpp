@@ -1,0 +1,47 @@
+#pragma once
+/// @file
+/// How much of a particle has failed: the ratio Rat.
+
+#include <limits>
+
+#include <riprap/breakage/element_failure.hpp>
+#include <riprap/stress/element_stress.hpp>
+
+namespace riprap {
+
+/// Sum over the elements of one particle in one evaluation.
+struct FailureTally {
+  std::size_t elements = 0;
+  std::size_t failed = 0;
+  /// Lowest safety factor and the element it belongs to, ties by index. Where any element has
+  /// failed this is the paper's first failed element: a property of one evaluation, not of history.
+  double lowest_safety_factor = std::numeric_limits<double>::infinity();
+  std::size_t first_failed = 0;
+
+  /// Rat: failed elements over all elements [-].
+  [[nodiscard]] double ratio() const {
+    return elements == 0 ? 0 : static_cast<double>(failed) / static_cast<double>(elements);
+  }
+};
+
+/// Evaluates the criterion in every element.
+template <FailureCriterion C>
+[[nodiscard]] FailureTally tally_failures(const C& criterion, const ElementStress& stress) {
+  FailureTally tally{.elements = stress.size()};
+  bool any_failed = false;
+  for (std::size_t e = 0; e < stress.size(); ++e) {
+    const ElementFailure element = evaluate(criterion, stress[e]);
+    tally.failed += element.failed();
+    // A failed element comes before any intact one, even in the band where SF is 1.
+    const bool first = element.failed() && !any_failed;
+    if (!first && any_failed && !element.failed()) continue;
+    if (first || element.safety_factor < tally.lowest_safety_factor) {
+      tally.lowest_safety_factor = element.safety_factor;
+      tally.first_failed = e;
+    }
+    any_failed |= element.failed();
+  }
+  return tally;
+}
+
+}  // namespace riprap

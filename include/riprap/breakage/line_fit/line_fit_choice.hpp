@@ -1,0 +1,23 @@
+#pragma once
+/// @file
+/// A line fit chosen at run time: one more model of the role, for programs with options.
+
+#include <variant>
+
+#include <riprap/breakage/line_fit/concepts.hpp>
+
+namespace riprap {
+
+/// Holds one of several line fits and passes the points on to it.
+template <LineFit... Fits>
+struct LineFitChoice {
+  std::variant<Fits...> chosen;
+
+  [[nodiscard]] std::optional<Line> operator()(std::span<const WeightedPoint> points,
+                                               const FailurePlanes& planes) const {
+    return std::visit(
+        [&](const auto& fit) -> std::optional<Line> { return fit(points, planes); }, chosen);
+  }
+};
+
+}  // namespace riprap

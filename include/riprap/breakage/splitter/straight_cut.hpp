@@ -1,0 +1,41 @@
+#pragma once
+/// @file
+/// A straight cut with a sliver rule: the default splitter.
+
+#include <riprap/breakage/splitter/concepts.hpp>
+#include <riprap/core/errors.hpp>
+#include <riprap/geometry/polygon_properties.hpp>
+
+namespace riprap {
+
+/// Cuts along the line unless a piece would be too small or too slender. Without the rule pieces
+/// break again and again under the same load and energy appears from slivers crossed by neighbours;
+/// the rule sets the count of breaks, so it is stated with every result.
+struct StraightCut {
+  double minimum_area = 0.08;  ///< of a piece, over the mean area of the intact particles [-]
+  double maximum_aspect = 3;   ///< of a piece, diameter over least width [-]
+
+  [[nodiscard]] std::optional<CutRings> operator()(Ring ring, const Line& line,
+                                                   double mean_area) const {
+    std::optional<CutRings> parts = cut(ring, line);
+    if (parts && acceptable(parts->left, mean_area) && acceptable(parts->right, mean_area))
+      return parts;
+    return std::nullopt;
+  }
+
+  void validate() const {
+    require_non_negative("StraightCut.minimum_area", minimum_area);
+    require(maximum_aspect >= 1, "StraightCut.maximum_aspect", maximum_aspect,
+            "must be 1 or more");
+  }
+
+ private:
+  [[nodiscard]] bool acceptable(Ring piece, double mean_area) const {
+    return area_properties(piece).area >= minimum_area * mean_area &&
+           aspect(piece) <= maximum_aspect;
+  }
+};
+
+static_assert(Splitter<StraightCut>);
+
+}  // namespace riprap

@@ -1,0 +1,21 @@
+#pragma once
+/// @file
+/// The role of the trigger: when does a particle with failed elements break?
+
+#include <concepts>
+
+#include <riprap/breakage/failure_tally.hpp>
+
+namespace riprap {
+
+/// A `BreakageTrigger` decides from the tally of one evaluation.
+///
+/// - `trigger(tally)` -> bool
+/// - `trigger.validate()`: throws InvalidInput for parameters that break a rule.
+template <class T>
+concept BreakageTrigger = requires(const T& trigger, const FailureTally& tally) {
+  { trigger(tally) } -> std::convertible_to<bool>;
+  trigger.validate();
+};
+
+}  // namespace riprap

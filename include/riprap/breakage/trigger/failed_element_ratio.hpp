@@ -1,0 +1,22 @@
+#pragma once
+/// @file
+/// A particle breaks when the share of failed elements reaches RatF: the default trigger.
+
+#include <riprap/breakage/trigger/concepts.hpp>
+#include <riprap/core/errors.hpp>
+
+namespace riprap {
+
+/// Rat >= RatF (section 3.2 of the paper).
+struct FailedElementRatio {
+  double critical = 0.4;  ///< RatF [-]; above 1 nothing breaks
+
+  [[nodiscard]] bool operator()(const FailureTally& tally) const {
+    return tally.failed > 0 && tally.ratio() >= critical;
+  }
+  void validate() const { require_positive("FailedElementRatio.critical", critical); }
+};
+
+static_assert(BreakageTrigger<FailedElementRatio>);
+
+}  // namespace riprap

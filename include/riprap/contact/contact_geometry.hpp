@@ -1,0 +1,21 @@
+#pragma once
+/// @file
+/// Where and how two bodies meet.
+
+#include <riprap/core/vec2.hpp>
+
+namespace riprap {
+
+/// Geometry of one contact, in laboratory coordinates.
+struct ContactGeometry {
+  Vec2 normal{1, 0};  ///< unit vector from body a to body b
+  Vec2 point{0, 0};   ///< where the force acts [m]
+  double depth = 0;   ///< penetration [m], >= 0
+  double area = 0;    ///< of the overlap [m^2]
+  double chord = 0;   ///< length of the contact line [m]
+
+  /// The normal turned by +90 degrees.
+  [[nodiscard]] Vec2 tangent() const { return perpendicular(normal); }
+};
+
+}  // namespace riprap

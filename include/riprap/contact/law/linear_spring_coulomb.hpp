@@ -1,0 +1,61 @@
+#pragma once
+/// @file
+/// Linear springs with Coulomb slip: the default contact law (Table 1 of the paper).
+
+#include <algorithm>
+#include <cmath>
+
+#include <riprap/contact/law/concepts.hpp>
+#include <riprap/core/errors.hpp>
+
+namespace riprap {
+
+/// F_n = k_n depth, never tension; the tangential spring turns with the normal, grows by k_s du_t
+/// and is cut at friction * F_n (Cundall and Strack 1979).
+struct LinearSpringCoulomb {
+  double normal_stiffness = 2e7;      ///< k_n [N/m], per contact
+  double tangential_stiffness = 2e7;  ///< k_s [N/m]
+  double friction = 0.5;              ///< mu [-]
+
+  struct History {
+    double tangential_force = 0;  ///< on b along the tangent [N]
+  };
+
+  [[nodiscard]] ContactForce operator()(const ContactGeometry& geometry,
+                                        const ContactMotion& motion, History& history) const {
+    ContactForce force{.normal = normal_stiffness * geometry.depth};
+    const double before = history.tangential_force;
+    const double trial =
+        before - tangential_stiffness * motion.tangential_velocity * motion.time_step;
+    const double cap = friction * force.normal;
+    force.tangential = std::clamp(trial, -cap, cap);
+    // What the spring does not take up is slip, against the mean force of the step.
+    if (tangential_stiffness > 0)
+      force.slipped = std::abs(0.5 * (before + force.tangential) * (trial - force.tangential)) /
+                      tangential_stiffness;
+    history.tangential_force = force.tangential;
+    return force;
+  }
+
+  [[nodiscard]] double stored_energy(const ContactGeometry& geometry,
+                                     const History& history) const {
+    const double normal = 0.5 * normal_stiffness * geometry.depth * geometry.depth;
+    if (tangential_stiffness == 0) return normal;
+    return normal + 0.5 * history.tangential_force * history.tangential_force /
+                        tangential_stiffness;
+  }
+
+  [[nodiscard]] double peak_stiffness() const {
+    return std::max(normal_stiffness, tangential_stiffness);
+  }
+
+  void validate() const {
+    require_positive("LinearSpringCoulomb.normal_stiffness", normal_stiffness);
+    require_non_negative("LinearSpringCoulomb.tangential_stiffness", tangential_stiffness);
+    require_non_negative("LinearSpringCoulomb.friction", friction);
+  }
+};
+
+static_assert(ContactLaw<LinearSpringCoulomb>);
+
+}  // namespace riprap

@@ -1,0 +1,51 @@
+#pragma once
+/// @file
+/// Errors that name the value, the rule, and where there is one the particle.
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <riprap/core/ids.hpp>
+
+namespace riprap {
+
+/// Thrown for input that breaks a rule, before anything was computed from it.
+struct InvalidInput : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Thrown when a simulation reaches a state from which it cannot go on; everything computed and
+/// recorded up to the previous step is intact.
+struct SimulationError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Shortest text that reads back as the same number.
+[[nodiscard]] inline std::string to_text(double value) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  return {buffer, end};
+}
+
+/// Throws InvalidInput "<name> = <value>: <rule>" unless `holds`.
+inline void require(bool holds, std::string_view name, double value, std::string_view rule) {
+  if (!holds)
+    throw InvalidInput(std::string(name) + " = " + to_text(value) + ": " + std::string(rule));
+}
+
+inline void require_positive(std::string_view name, double value) {
+  require(std::isfinite(value) && value > 0, name, value, "must be a finite number above 0");
+}
+
+inline void require_non_negative(std::string_view name, double value) {
+  require(std::isfinite(value) && value >= 0, name, value, "must be a finite number, 0 or above");
+}
+
+[[nodiscard]] inline std::string particle_text(ParticleId id) {
+  return "particle " + std::to_string(id);
+}
+
+}  // namespace riprap

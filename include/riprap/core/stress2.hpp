@@ -1,0 +1,63 @@
+#pragma once
+/// @file
+/// The in-plane stress tensor and its principal values.
+
+#include <algorithm>
+#include <cmath>
+
+#include <riprap/core/vec2.hpp>
+
+namespace riprap {
+
+/// Principal stresses [Pa], compression positive, and the unit vector of the major one.
+struct PrincipalStress {
+  double major = 0;
+  double minor = 0;
+  Vec2 major_direction{1, 0};
+};
+
+/// Symmetric in-plane stress [Pa], compression positive.
+struct Stress2 {
+  double s11 = 0;
+  double s22 = 0;
+  double s12 = 0;
+
+  Stress2& operator+=(const Stress2& o) {
+    s11 += o.s11;
+    s22 += o.s22;
+    s12 += o.s12;
+    return *this;
+  }
+  [[nodiscard]] friend Stress2 operator*(double f, const Stress2& s) {
+    return {f * s.s11, f * s.s22, f * s.s12};
+  }
+  [[nodiscard]] double mean() const { return 0.5 * (s11 + s22); }
+
+  /// Radius of Mohr's circle.
+  [[nodiscard]] double radius() const {
+    const double half = 0.5 * (s11 - s22);
+    return std::sqrt(half * half + s12 * s12);
+  }
+
+  [[nodiscard]] PrincipalStress principal() const {
+    const double c = mean();
+    const double r = radius();
+    if (r == 0) return {c, c, Vec2{1, 0}};
+    // Of the two columns of (sigma - minor I) the longer one is the accurate eigenvector.
+    const double half = 0.5 * (s11 - s22);
+    const Vec2 v = half >= 0 ? Vec2{r + half, s12} : Vec2{s12, r - half};
+    return {c + r, c - r, v / std::sqrt(v.dot(v))};
+  }
+
+  /// The same stress in axes turned by `r`: components along r * e1 and r * e2 become those along
+  /// e1 and e2. Use with a body's rotation to turn body-frame stress into the laboratory frame.
+  [[nodiscard]] Stress2 rotated(const Rotation& r) const {
+    const double cc = r.cosine * r.cosine;
+    const double ss = r.sine * r.sine;
+    const double cs = r.cosine * r.sine;
+    return {cc * s11 + ss * s22 - 2 * cs * s12, ss * s11 + cc * s22 + 2 * cs * s12,
+            cs * (s11 - s22) + (cc - ss) * s12};
+  }
+};
+
+}  // namespace riprap

@@ -1,0 +1,61 @@
+#pragma once
+/// @file
+/// Vectors and rotations of the plane.
+
+#include <Eigen/Core>
+#include <cmath>
+#include <span>
+
+#include <riprap/core/conventions.hpp>
+
+namespace riprap {
+
+/// A vector of the plane. Unaligned, so that it packs into records and stays in scalar registers;
+/// it mixes freely with Eigen::Vector2d.
+using Vec2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
+
+/// Vertices in order, counter-clockwise and open.
+using Ring = std::span<const Vec2>;
+
+/// z component of the cross product of a and b.
+[[nodiscard]] inline double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// v turned by +90 degrees.
+[[nodiscard]] inline Vec2 perpendicular(const Vec2& v) { return {-v.y(), v.x()}; }
+
+/// A rotation as a unit complex number: no trigonometry in the hot loop, and the same bits from
+/// every compiler.
+struct Rotation {
+  double cosine = 1;
+  double sine = 0;
+
+  [[nodiscard]] static Rotation from_angle(double radians) {
+    return {std::cos(radians), std::sin(radians)};
+  }
+  [[nodiscard]] double angle() const { return std::atan2(sine, cosine); }
+
+  [[nodiscard]] Vec2 operator*(const Vec2& v) const {
+    return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()};
+  }
+  [[nodiscard]] Vec2 inverse_times(const Vec2& v) const {
+    return {cosine * v.x() + sine * v.y(), cosine * v.y() - sine * v.x()};
+  }
+
+  /// This rotation followed by a small turn [rad]. Cayley's form of the turn is exactly a rotation
+  /// and differs from the true angle by turn^3 / 12, below the error of any second-order integrator.
+  [[nodiscard]] Rotation turned(double turn) const {
+    const double h = 0.5 * turn;
+    const double scale = 1 / (1 + h * h);
+    const double c = (1 - h * h) * scale;
+    const double s = 2 * h * scale;
+    const Rotation next{cosine * c - sine * s, sine * c + cosine * s};
+    // One Newton step towards unit length keeps round-off from growing over millions of steps.
+    const double unit =
+        1.5 - 0.5 * (next.cosine * next.cosine + next.sine * next.sine);
+    return {next.cosine * unit, next.sine * unit};
+  }
+};
+
+}  // namespace riprap

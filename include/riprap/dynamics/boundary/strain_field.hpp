@@ -1,0 +1,31 @@
+#pragma once
+/// @file
+/// Boundary particles that follow a homogeneous strain-rate field: the default.
+
+#include <vector>
+
+#include <riprap/core/vec2.hpp>
+#include <riprap/dynamics/boundary/concepts.hpp>
+
+namespace riprap {
+
+/// Moves every body of Motion::strain_field with v = -rate x about the origin, without rotation (a
+/// freely turning ring acts as a roller bearing and lowers the peak strength).
+class StrainField {
+ public:
+  /// Shortening rates along axes 1 and 2 [1/s], positive in compression.
+  void set_rate(double axis_1, double axis_2) { rate_ = {axis_1, axis_2}; }
+  [[nodiscard]] const Vec2& rate() const { return rate_; }
+
+  void drive(std::vector<Body>& bodies, double /*time_step*/) const {
+    for (Body& body : bodies)
+      if (body.motion == Motion::strain_field) body.velocity = -rate_.cwiseProduct(body.position);
+  }
+
+ private:
+  Vec2 rate_{0, 0};
+};
+
+static_assert(Boundary<StrainField>);
+
+}  // namespace riprap

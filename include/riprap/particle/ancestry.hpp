@@ -1,0 +1,17 @@
+#pragma once
+/// @file
+/// Who a particle is and which particle it came from.
+
+#include <riprap/core/ids.hpp>
+
+namespace riprap {
+
+/// Name and descent of a particle.
+struct Ancestry {
+  ParticleId id = no_particle;
+  ParticleId parent = no_particle;  ///< the particle whose break made this one
+  ParticleId root = no_particle;    ///< the intact particle at the head of the line
+  unsigned generation = 0;          ///< breaks between the root and this one
+};
+
+}  // namespace riprap

@@ -1,0 +1,39 @@
+#pragma once
+/// @file
+/// A list of placed polygons: what a simulation starts from.
+
+#include <string>
+#include <vector>
+
+#include <riprap/core/errors.hpp>
+#include <riprap/geometry/convex_polygon.hpp>
+#include <riprap/particle/body.hpp>
+
+namespace riprap {
+
+/// One particle before it has a mass.
+struct PlacedParticle {
+  ConvexPolygon polygon;  ///< in laboratory coordinates [m]
+  Motion motion = Motion::free;
+  Vec2 velocity{0, 0};          ///< [m/s]
+  double angular_velocity = 0;  ///< [rad/s]
+};
+
+/// Placed polygons of one out-of-plane thickness. Ids are given in the order of the list.
+struct Assembly {
+  double thickness = 0.016;  ///< [m]
+  std::vector<PlacedParticle> particles;
+
+  /// Throws InvalidInput that names the particle, the value and the rule.
+  void validate() const {
+    require_positive("Assembly.thickness", thickness);
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      const PlacedParticle& p = particles[i];
+      if (!p.velocity.allFinite() || !std::isfinite(p.angular_velocity))
+        throw InvalidInput(particle_text(static_cast<ParticleId>(i)) +
+                           ": velocity must be finite");
+    }
+  }
+};
+
+}  // namespace riprap

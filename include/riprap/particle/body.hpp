@@ -1,0 +1,47 @@
+#pragma once
+/// @file
+/// A rigid body: pose, motion, load and mass.
+
+#include <riprap/core/vec2.hpp>
+
+namespace riprap {
+
+/// Force [N] and moment about the body's centroid [N m].
+struct Wrench {
+  Vec2 force{0, 0};
+  double moment = 0;
+};
+
+/// What decides a body's velocity.
+enum class Motion : unsigned char {
+  free,          ///< Newton's law
+  prescribed,    ///< the velocity it was given, whatever pushes it (zero: a fixed body)
+  strain_field,  ///< the boundary's strain-rate field; it does not rotate and does not break
+};
+
+/// A rigid body; its shape is stored beside it in Particles.
+struct Body {
+  Vec2 position{0, 0};  ///< of the centroid [m]
+  Rotation rotation;    ///< from the body's own frame to the laboratory's
+  Vec2 velocity{0, 0};  ///< [m/s]
+  double angular_velocity = 0;  ///< [rad/s]
+  Wrench contact;               ///< sum over all contacts, as of the last force evaluation
+  double mass = 0;              ///< true mass [kg]
+  double inertia = 0;           ///< true polar moment of inertia [kg m^2]
+  double mass_scaling = 1;      ///< >= 1: factor on both in the equations of motion only
+  Motion motion = Motion::free;
+
+  [[nodiscard]] bool is_free() const { return motion == Motion::free; }
+
+  /// Kinetic energy [J] with the mass that enters the equations of motion.
+  [[nodiscard]] double kinetic_energy() const {
+    return 0.5 * mass_scaling *
+           (mass * velocity.dot(velocity) + inertia * angular_velocity * angular_velocity);
+  }
+  /// Velocity [m/s] of the material point at `arm` from the centroid.
+  [[nodiscard]] Vec2 velocity_at(const Vec2& arm) const {
+    return velocity + angular_velocity * perpendicular(arm);
+  }
+};
+
+}  // namespace riprap

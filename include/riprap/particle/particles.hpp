@@ -1,0 +1,135 @@
+#pragma once
+/// @file
+/// The particles of a running simulation, stored for the hot loops.
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include <riprap/core/ids.hpp>
+#include <riprap/geometry/convex_polygon.hpp>
+#include <riprap/particle/ancestry.hpp>
+#include <riprap/particle/body.hpp>
+
+namespace riprap {
+
+/// What does not change while a particle lives.
+struct ParticleShape {
+  double area = 0;          ///< [m^2]
+  double circumradius = 0;  ///< farthest vertex from the centroid [m]
+  std::uint32_t first = 0;  ///< of its vertices in the pools
+  std::uint32_t count = 0;
+};
+
+/// Bodies, shapes and ancestry side by side, index by index; vertices of all particles in two
+/// contiguous pools, one in body frames and one in the laboratory's.
+class Particles {
+ public:
+  Particles(double thickness, double density) : thickness_(thickness), density_(density) {}
+
+  [[nodiscard]] std::size_t size() const { return bodies_.size(); }
+  [[nodiscard]] double thickness() const { return thickness_; }  ///< [m]
+  [[nodiscard]] double density() const { return density_; }      ///< [kg/m^3]
+
+  [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
+  [[nodiscard]] std::vector<Body>& bodies() { return bodies_; }
+  [[nodiscard]] const Body& body(BodyIndex i) const { return bodies_[i]; }
+  [[nodiscard]] Body& body(BodyIndex i) { return bodies_[i]; }
+  [[nodiscard]] const ParticleShape& shape(BodyIndex i) const { return shapes_[i]; }
+  [[nodiscard]] const Ancestry& ancestry(BodyIndex i) const { return ancestries_[i]; }
+
+  /// Vertices in the laboratory frame, at the body's present pose.
+  [[nodiscard]] Ring ring(BodyIndex i) const {
+    return {placed_.data() + shapes_[i].first, shapes_[i].count};
+  }
+  /// Vertices in the body's own frame, centroid at the origin.
+  [[nodiscard]] Ring local_ring(BodyIndex i) const {
+    return {local_.data() + shapes_[i].first, shapes_[i].count};
+  }
+
+  /// Adds a particle at rest in its present place, with a new id.
+  /// @param polygon in laboratory coordinates [m]
+  /// @param parent  ancestry of the particle it broke from; null for an intact particle
+  BodyIndex add(const ConvexPolygon& polygon, Motion motion, const Ancestry* parent = nullptr) {
+    const auto index = static_cast<BodyIndex>(bodies_.size());
+    bodies_.emplace_back();
+    shapes_.emplace_back();
+    ancestries_.emplace_back();
+    place(index, polygon, motion, parent);
+    return index;
+  }
+
+  /// Puts a new particle, with a new id, where a broken one was stored.
+  void replace(BodyIndex index, const ConvexPolygon& polygon, Motion motion,
+               const Ancestry& parent) {
+    const Ancestry copy = parent;
+    dead_vertices_ += shapes_[index].count;
+    place(index, polygon, motion, &copy);
+    if (dead_vertices_ > local_.size() / 2) compact();
+  }
+
+  /// Brings the laboratory vertices of particle i to its pose.
+  void update_ring(BodyIndex i) {
+    const Body& body = bodies_[i];
+    const ParticleShape& shape = shapes_[i];
+    for (std::uint32_t k = shape.first; k < shape.first + shape.count; ++k)
+      placed_[k] = body.rotation * local_[k] + body.position;
+  }
+
+ private:
+  void place(BodyIndex index, const ConvexPolygon& polygon, Motion motion,
+             const Ancestry* parent) {
+    const AreaProperties properties = area_properties(polygon.ring());
+    Body body;
+    body.position = properties.centroid;
+    body.mass = density_ * thickness_ * properties.area;
+    body.inertia = density_ * thickness_ * properties.polar_moment;
+    body.motion = motion;
+    bodies_[index] = body;
+
+    ParticleShape shape{.area = properties.area,
+                        .first = static_cast<std::uint32_t>(local_.size()),
+                        .count = static_cast<std::uint32_t>(polygon.size())};
+    for (const Vec2& v : polygon) {
+      local_.push_back(v - properties.centroid);
+      placed_.push_back(v);
+      shape.circumradius = std::max(shape.circumradius, local_.back().norm());
+    }
+    shapes_[index] = shape;
+
+    Ancestry& ancestry = ancestries_[index];
+    ancestry = {.id = next_id_++};
+    ancestry.parent = parent ? parent->id : no_particle;
+    ancestry.root = parent ? parent->root : ancestry.id;
+    ancestry.generation = parent ? parent->generation + 1 : 0;
+  }
+
+  // Squeezes out the vertices of particles that no longer exist.
+  void compact() {
+    std::vector<Vec2> local;
+    std::vector<Vec2> placed;
+    for (ParticleShape& shape : shapes_) {
+      const auto first = static_cast<std::uint32_t>(local.size());
+      for (std::uint32_t k = shape.first; k < shape.first + shape.count; ++k) {
+        local.push_back(local_[k]);
+        placed.push_back(placed_[k]);
+      }
+      shape.first = first;
+    }
+    local_ = std::move(local);
+    placed_ = std::move(placed);
+    dead_vertices_ = 0;
+  }
+
+  double thickness_;
+  double density_;
+  std::vector<Body> bodies_;
+  std::vector<ParticleShape> shapes_;
+  std::vector<Ancestry> ancestries_;
+  std::vector<Vec2> local_;
+  std::vector<Vec2> placed_;
+  std::size_t dead_vertices_ = 0;
+  ParticleId next_id_ = 0;
+};
+
+}  // namespace riprap

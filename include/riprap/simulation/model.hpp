@@ -1,0 +1,287 @@
+#pragma once
+/// @file
+/// Which policies a simulator is made of.
+
+#include <utility>
+
+#include <riprap/breakage/criterion/hoek_brown.hpp>
+#include <riprap/breakage/criterion/never_fails.hpp>
+#include <riprap/breakage/inheritance/rigid_field.hpp>
+#include <riprap/breakage/line_fit/weighted_xy.hpp>
+#include <riprap/breakage/splitter/straight_cut.hpp>
+#include <riprap/breakage/trigger/failed_element_ratio.hpp>
+#include <riprap/contact/broad_phase/uniform_grid.hpp>
+#include <riprap/contact/law/linear_spring_coulomb.hpp>
+#include <riprap/contact/narrow_phase/overlap_chord.hpp>
+#include <riprap/dynamics/boundary/strain_field.hpp>
+#include <riprap/dynamics/damping/local_damping.hpp>
+#include <riprap/dynamics/integrator/symplectic_euler.hpp>
+#include <riprap/dynamics/time_step/mass_floor.hpp>
+#include <riprap/stress/element/constant_strain_triangle.hpp>
+#include <riprap/stress/mesh/uniform_mesher.hpp>
+#include <riprap/stress/plane_state/plane_stress.hpp>
+#include <riprap/stress/support/inertia_relief.hpp>
+
+namespace riprap {
+
+/// Who touches whom, with what force.
+template <BroadPhase Broad = UniformGrid, NarrowPhase Narrow = OverlapChord,
+          ContactLaw Law = LinearSpringCoulomb>
+struct ContactModel {
+  Broad broad_phase{};
+  Narrow narrow_phase{};
+  Law law{};
+};
+template <class B, class N, class L>
+ContactModel(B, N, L) -> ContactModel<B, N, L>;
+
+/// From forces to motion.
+template <Integrator Integration = SymplecticEuler, Damping Damper = LocalDamping,
+          TimeStepRule Step = MassFloor, Boundary Edge = StrainField>
+struct MotionModel {
+  Integration integrator{};
+  Damper damping{};
+  Step time_step{};
+  Edge boundary{};
+};
+template <class I, class D, class T, class B>
+MotionModel(I, D, T, B) -> MotionModel<I, D, T, B>;
+
+/// From contact forces to the stress in every triangle of a particle.
+template <Mesher Meshing = UniformMesher, Element Finite = ConstantStrainTriangle,
+          PlaneState Plane = PlaneStress, Support Held = InertiaRelief>
+struct StressModel {
+  Meshing mesher{};
+  Finite element{};
+  Plane plane_state{};
+  Held support{};
+};
+template <class M, class E, class P, class S>
+StressModel(M, E, P, S) -> StressModel<M, E, P, S>;
+
+/// Has it failed, along which line, into which pieces.
+template <FailureCriterion Criterion = HoekBrown, BreakageTrigger Trigger = FailedElementRatio,
+          LineFit Fit = WeightedXY, Splitter Split = StraightCut, Inheritance Inherit = RigidField>
+struct BreakageModel {
+  static constexpr bool never_fails = riprap::never_fails<Criterion>;
+
+  Criterion criterion{};
+  Trigger trigger{};
+  Fit line_fit{};
+  Split splitter{};
+  Inherit inheritance{};
+  unsigned check_every = 1;  ///< steps between checks
+};
+template <class C, class T, class F, class S, class I>
+BreakageModel(C, T, F, S, I, unsigned) -> BreakageModel<C, T, F, S, I>;
+
+/// All policies of a simulator. Every setter returns a model of a new type, in which one policy has
+/// been exchanged and the others stay; what is not set is the paper's choice:
+///
+///     auto model = Model{}.criterion(MohrCoulomb{}).line_fit(WeightedX{});
+template <class ContactPart = ContactModel<>, class MotionPart = MotionModel<>,
+          class StressPart = StressModel<>, class BreakagePart = BreakageModel<>>
+struct Model {
+  ContactPart contact_model{};
+  MotionPart motion_model{};
+  StressPart stress_model{};
+  BreakagePart breakage_model{};
+
+  /// How contacts turn geometry and motion into forces.
+  template <class Law>
+  [[nodiscard]] auto contact(Law law) const {
+    static_assert(ContactLaw<Law>,
+                  "riprap: .contact(law) needs a ContactLaw; the clauses are listed in "
+                  "riprap/contact/law/concepts.hpp");
+    const auto& m = contact_model;
+    return with_contact(ContactModel{m.broad_phase, m.narrow_phase, std::move(law)});
+  }
+  /// How pairs of near bodies are found.
+  template <class Broad>
+  [[nodiscard]] auto broad_phase(Broad broad) const {
+    static_assert(BroadPhase<Broad>,
+                  "riprap: .broad_phase(broad) needs a BroadPhase; the clauses are listed in "
+                  "riprap/contact/broad_phase/concepts.hpp");
+    return with_contact(
+        ContactModel{std::move(broad), contact_model.narrow_phase, contact_model.law});
+  }
+  /// How the contact of two rings is described.
+  template <class Narrow>
+  [[nodiscard]] auto narrow_phase(Narrow narrow) const {
+    static_assert(NarrowPhase<Narrow>,
+                  "riprap: .narrow_phase(narrow) needs a NarrowPhase; the clauses are listed in "
+                  "riprap/contact/narrow_phase/concepts.hpp");
+    return with_contact(
+        ContactModel{contact_model.broad_phase, std::move(narrow), contact_model.law});
+  }
+
+  /// How free bodies advance.
+  template <class Integration>
+  [[nodiscard]] auto integrator(Integration integration) const {
+    static_assert(Integrator<Integration>,
+                  "riprap: .integrator(integrator) needs an Integrator; the clauses are listed in "
+                  "riprap/dynamics/integrator/concepts.hpp");
+    const auto& m = motion_model;
+    return with_motion(MotionModel{std::move(integration), m.damping, m.time_step, m.boundary});
+  }
+  /// What takes energy out beside the contacts.
+  template <class Damper>
+  [[nodiscard]] auto damping(Damper damper) const {
+    static_assert(Damping<Damper>,
+                  "riprap: .damping(damping) needs a Damping; the clauses are listed in "
+                  "riprap/dynamics/damping/concepts.hpp");
+    const auto& m = motion_model;
+    return with_motion(MotionModel{m.integrator, std::move(damper), m.time_step, m.boundary});
+  }
+  /// How the time step is chosen.
+  template <class Rule>
+  [[nodiscard]] auto time_step(Rule rule) const {
+    static_assert(TimeStepRule<Rule>,
+                  "riprap: .time_step(rule) needs a TimeStepRule; the clauses are listed in "
+                  "riprap/dynamics/time_step/concepts.hpp");
+    const auto& m = motion_model;
+    return with_motion(MotionModel{m.integrator, m.damping, std::move(rule), m.boundary});
+  }
+  /// What moves the driven bodies.
+  template <class Edge>
+  [[nodiscard]] auto boundary(Edge edge) const {
+    static_assert(Boundary<Edge>,
+                  "riprap: .boundary(boundary) needs a Boundary; the clauses are listed in "
+                  "riprap/dynamics/boundary/concepts.hpp");
+    const auto& m = motion_model;
+    return with_motion(MotionModel{m.integrator, m.damping, m.time_step, std::move(edge)});
+  }
+
+  /// How particles are cut into triangles.
+  template <class Meshing>
+  [[nodiscard]] auto mesher(Meshing meshing) const {
+    static_assert(Mesher<Meshing>,
+                  "riprap: .mesher(mesher) needs a Mesher; the clauses are listed in "
+                  "riprap/stress/mesh/concepts.hpp");
+    const auto& m = stress_model;
+    return with_stress(StressModel{std::move(meshing), m.element, m.plane_state, m.support});
+  }
+  /// What a triangle is.
+  template <class Finite>
+  [[nodiscard]] auto element(Finite finite) const {
+    static_assert(Element<Finite>,
+                  "riprap: .element(element) needs an Element; the clauses are listed in "
+                  "riprap/stress/element/concepts.hpp");
+    const auto& m = stress_model;
+    return with_stress(StressModel{m.mesher, std::move(finite), m.plane_state, m.support});
+  }
+  /// What the third direction does.
+  template <class Plane>
+  [[nodiscard]] auto plane_state(Plane plane) const {
+    static_assert(PlaneState<Plane>,
+                  "riprap: .plane_state(plane) needs a PlaneState; the clauses are listed in "
+                  "riprap/stress/plane_state/concepts.hpp");
+    const auto& m = stress_model;
+    return with_stress(StressModel{m.mesher, m.element, std::move(plane), m.support});
+  }
+  /// What takes the rigid modes away.
+  template <class Held>
+  [[nodiscard]] auto support(Held held) const {
+    static_assert(Support<Held>,
+                  "riprap: .support(support) needs a Support; the clauses are listed in "
+                  "riprap/stress/support/concepts.hpp");
+    const auto& m = stress_model;
+    return with_stress(StressModel{m.mesher, m.element, m.plane_state, std::move(held)});
+  }
+
+  /// When an element fails.
+  template <class Criterion>
+  [[nodiscard]] auto criterion(Criterion chosen) const {
+    static_assert(FailureCriterion<Criterion>,
+                  "riprap: .criterion(criterion) needs a FailureCriterion: "
+                  "major_stress_at_failure(minor) and tensile_strength(); see "
+                  "riprap/breakage/criterion/concepts.hpp");
+    const auto& m = breakage_model;
+    return with_breakage(BreakageModel{std::move(chosen), m.trigger, m.line_fit, m.splitter,
+                                       m.inheritance, m.check_every});
+  }
+  /// When a particle breaks.
+  template <class Trigger>
+  [[nodiscard]] auto trigger(Trigger chosen) const {
+    static_assert(BreakageTrigger<Trigger>,
+                  "riprap: .trigger(trigger) needs a BreakageTrigger; the clauses are listed in "
+                  "riprap/breakage/trigger/concepts.hpp");
+    const auto& m = breakage_model;
+    return with_breakage(BreakageModel{m.criterion, std::move(chosen), m.line_fit, m.splitter,
+                                       m.inheritance, m.check_every});
+  }
+  /// Where the crack runs.
+  template <class Fit>
+  [[nodiscard]] auto line_fit(Fit fit) const {
+    static_assert(LineFit<Fit>,
+                  "riprap: .line_fit(fit) needs a LineFit; the clauses are listed in "
+                  "riprap/breakage/line_fit/concepts.hpp");
+    const auto& m = breakage_model;
+    return with_breakage(BreakageModel{m.criterion, m.trigger, std::move(fit), m.splitter,
+                                       m.inheritance, m.check_every});
+  }
+  /// How a particle is cut, and when a cut is refused.
+  template <class Split>
+  [[nodiscard]] auto splitter(Split split) const {
+    static_assert(Splitter<Split>,
+                  "riprap: .splitter(splitter) needs a Splitter; the clauses are listed in "
+                  "riprap/breakage/splitter/concepts.hpp");
+    const auto& m = breakage_model;
+    return with_breakage(BreakageModel{m.criterion, m.trigger, m.line_fit, std::move(split),
+                                       m.inheritance, m.check_every});
+  }
+  /// How pieces move at birth.
+  template <class Inherit>
+  [[nodiscard]] auto inheritance(Inherit inherit) const {
+    static_assert(Inheritance<Inherit>,
+                  "riprap: .inheritance(inheritance) needs an Inheritance; the clauses are listed "
+                  "in riprap/breakage/inheritance/concepts.hpp");
+    const auto& m = breakage_model;
+    return with_breakage(BreakageModel{m.criterion, m.trigger, m.line_fit, m.splitter,
+                                       std::move(inherit), m.check_every});
+  }
+  /// Steps between two checks of every particle.
+  [[nodiscard]] Model check_every(unsigned steps) const {
+    Model copy = *this;
+    copy.breakage_model.check_every = steps;
+    return copy;
+  }
+
+  /// Asks every policy that has rules of its own; throws InvalidInput.
+  void validate() const {
+    contact_model.law.validate();
+    motion_model.damping.validate();
+    motion_model.time_step.validate();
+    stress_model.mesher.validate();
+    if constexpr (requires { breakage_model.criterion.validate(); })
+      breakage_model.criterion.validate();
+    breakage_model.trigger.validate();
+    breakage_model.splitter.validate();
+    require(breakage_model.check_every >= 1, "Model.check_every", breakage_model.check_every,
+            "must be 1 or more");
+  }
+
+ private:
+  template <class Part>
+  [[nodiscard]] auto with_contact(Part part) const {
+    return Model<Part, MotionPart, StressPart, BreakagePart>{std::move(part), motion_model,
+                                                             stress_model, breakage_model};
+  }
+  template <class Part>
+  [[nodiscard]] auto with_motion(Part part) const {
+    return Model<ContactPart, Part, StressPart, BreakagePart>{contact_model, std::move(part),
+                                                              stress_model, breakage_model};
+  }
+  template <class Part>
+  [[nodiscard]] auto with_stress(Part part) const {
+    return Model<ContactPart, MotionPart, Part, BreakagePart>{contact_model, motion_model,
+                                                              std::move(part), breakage_model};
+  }
+  template <class Part>
+  [[nodiscard]] auto with_breakage(Part part) const {
+    return Model<ContactPart, MotionPart, StressPart, Part>{contact_model, motion_model,
+                                                            stress_model, std::move(part)};
+  }
+};
+
+}  // namespace riprap

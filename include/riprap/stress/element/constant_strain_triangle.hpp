@@ -1,0 +1,39 @@
+#pragma once
+/// @file
+/// The 3-node triangle with linear displacements: the paper's element.
+
+#include <array>
+
+#include <riprap/stress/element/concepts.hpp>
+
+namespace riprap {
+
+/// Turner, Clough, Martin and Topp (1956); e.g. Zienkiewicz and Taylor, The Finite Element Method.
+struct ConstantStrainTriangle {
+  [[nodiscard]] StrainDisplacement strain_displacement(const std::array<Vec2, 3>& corners) const {
+    const double twice_area = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    StrainDisplacement b = StrainDisplacement::Zero();
+    for (int i = 0; i < 3; ++i) {
+      const Vec2& next = corners[static_cast<std::size_t>((i + 1) % 3)];
+      const Vec2& last = corners[static_cast<std::size_t>((i + 2) % 3)];
+      // Gradient of the shape function of node i.
+      const Vec2 gradient = perpendicular(last - next) / twice_area;
+      b(0, 2 * i) = gradient.x();
+      b(1, 2 * i + 1) = gradient.y();
+      b(2, 2 * i) = gradient.y();
+      b(2, 2 * i + 1) = gradient.x();
+    }
+    return b;
+  }
+
+  [[nodiscard]] Eigen::Matrix3d mass(const std::array<Vec2, 3>& corners) const {
+    const double area = 0.5 * cross(corners[1] - corners[0], corners[2] - corners[0]);
+    Eigen::Matrix3d m = Eigen::Matrix3d::Constant(area / 12);
+    m.diagonal().setConstant(area / 6);
+    return m;
+  }
+};
+
+static_assert(Element<ConstantStrainTriangle>);
+
+}  // namespace riprap

@@ -1,0 +1,143 @@
+#pragma once
+/// @file
+/// Element stresses as a linear function of boundary forces, computed once per particle shape.
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <utility>
+
+#include <riprap/material/rock.hpp>
+#include <riprap/stress/boundary_load.hpp>
+#include <riprap/stress/element/concepts.hpp>
+#include <riprap/stress/element_stress.hpp>
+#include <riprap/stress/mesh/mesh.hpp>
+#include <riprap/stress/plane_state/concepts.hpp>
+
+namespace riprap {
+
+/// stress = S f. The mesh never changes in the particle's own frame, so neither does S: checking a
+/// particle costs one pass over four columns of S per contact instead of assembling and solving.
+///
+/// The particle is free: a net force and moment are balanced by its inertia (inertia relief), and
+/// rigid modes carry no stress. Stress does not depend on Young's modulus.
+class InfluenceOperator {
+ public:
+  InfluenceOperator() = default;
+
+  /// @param mesh      in the body's own frame, centroid at the origin
+  /// @param thickness out of plane [m]
+  /// @param with_flexibility also keep the displacements of the boundary (for pinned supports)
+  template <Element E, PlaneState P>
+  InfluenceOperator(Mesh mesh, const E& element, const P& plane, const Rock& rock,
+                    double thickness, bool with_flexibility)
+      : mesh_(std::move(mesh)) {
+    const Eigen::Matrix3d elasticity = plane.elasticity(rock);
+    const Eigen::MatrixXd displacement = solve(element, elasticity, thickness);
+    const auto elements = static_cast<Eigen::Index>(mesh_.size());
+    stress_.resize(3 * elements, displacement.cols());
+    for (std::size_t e = 0; e < mesh_.size(); ++e) {
+      // The one place where tension-positive algebra becomes compression-positive stress.
+      const StrainDisplacement to_stress =
+          -(elasticity * element.strain_displacement(mesh_.triangle(e)));
+      Eigen::Matrix<double, 6, Eigen::Dynamic> nodal(6, displacement.cols());
+      for (int k = 0; k < 3; ++k)
+        nodal.middleRows<2>(2 * k) = displacement.middleRows<2>(
+            2 * static_cast<Eigen::Index>(mesh_.triangles[e][static_cast<std::size_t>(k)]));
+      const Eigen::Matrix<double, 3, Eigen::Dynamic> rows = to_stress * nodal;
+      for (int c = 0; c < 3; ++c)
+        stress_.row(c * elements + static_cast<Eigen::Index>(e)) = rows.row(c);
+    }
+    if (with_flexibility) flexibility_ = displacement.topRows(displacement.cols());
+  }
+
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] bool empty() const { return stress_.size() == 0; }
+
+  /// Adds the stresses due to a force [N] at a boundary point.
+  void add_stress(const BoundaryPoint& at, const Vec2& force, ElementStress& stress) const {
+    const double w = at.weight;
+    stress.values().noalias() += (w * force.x()) * stress_.col(column(at.node)) +
+                                 (w * force.y()) * stress_.col(column(at.node) + 1) +
+                                 ((1 - w) * force.x()) * stress_.col(column(at.next)) +
+                                 ((1 - w) * force.y()) * stress_.col(column(at.next) + 1);
+  }
+
+  /// Displacement [m] of one boundary point under a force [N] at another, up to a rigid motion that
+  /// is the same for all points. Needs the flexibility.
+  [[nodiscard]] Vec2 displacement(const BoundaryPoint& of, const BoundaryPoint& at,
+                                  const Vec2& force) const {
+    const auto block = [&](std::uint32_t i, std::uint32_t j) -> Vec2 {
+      return flexibility_.block<2, 2>(column(i), column(j)) * force;
+    };
+    return of.weight * (at.weight * block(of.node, at.node) +
+                        (1 - at.weight) * block(of.node, at.next)) +
+           (1 - of.weight) * (at.weight * block(of.next, at.node) +
+                              (1 - at.weight) * block(of.next, at.next));
+  }
+
+  [[nodiscard]] std::size_t bytes() const {
+    return sizeof(double) * static_cast<std::size_t>(stress_.size() + flexibility_.size());
+  }
+
+ private:
+  [[nodiscard]] static Eigen::Index column(std::uint32_t node) {
+    return 2 * static_cast<Eigen::Index>(node);
+  }
+
+  // Displacements of all nodes for a unit force at each boundary node along each axis.
+  template <class E>
+  [[nodiscard]] Eigen::MatrixXd solve(const E& element, const Eigen::Matrix3d& elasticity,
+                                      double thickness) const {
+    const auto n = static_cast<Eigen::Index>(mesh_.nodes.size());
+    Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+    Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n);
+    for (std::size_t e = 0; e < mesh_.size(); ++e) {
+      const auto corners = mesh_.triangle(e);
+      const StrainDisplacement b = element.strain_displacement(corners);
+      const Eigen::Matrix<double, 6, 6> k =
+          (thickness * mesh_.area(e)) * (b.transpose() * elasticity * b);
+      const Eigen::Matrix3d m = element.mass(corners);
+      for (int p = 0; p < 3; ++p)
+        for (int q = 0; q < 3; ++q) {
+          const Eigen::Index i = mesh_.triangles[e][static_cast<std::size_t>(p)];
+          const Eigen::Index j = mesh_.triangles[e][static_cast<std::size_t>(q)];
+          stiffness.block<2, 2>(2 * i, 2 * j) += k.block<2, 2>(2 * p, 2 * q);
+          mass(i, j) += m(p, q);
+        }
+    }
+
+    Eigen::Matrix<double, Eigen::Dynamic, 3> rigid(2 * n, 3);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Vec2& x = mesh_.nodes[static_cast<std::size_t>(i)];
+      rigid.middleRows<2>(2 * i) << 1, 0, -x.y(), 0, 1, x.x();
+    }
+    // Inertia relief: forces less the mass times the rigid acceleration they cause. The density
+    // cancels, and about the centroid the rigid modes are orthogonal in mass.
+    Eigen::Matrix<double, Eigen::Dynamic, 3> inertial(2 * n, 3);
+    for (int axis = 0; axis < 2; ++axis) {
+      using Stride = Eigen::InnerStride<2>;
+      for (int mode = 0; mode < 3; ++mode)
+        Eigen::Map<Eigen::VectorXd, 0, Stride>(inertial.col(mode).data() + axis, n) =
+            mass * Eigen::Map<const Eigen::VectorXd, 0, Stride>(rigid.col(mode).data() + axis, n);
+    }
+    const Eigen::Vector3d modal_mass = (rigid.transpose() * inertial).diagonal();
+
+    const Eigen::Index loads = 2 * static_cast<Eigen::Index>(mesh_.boundary_nodes);
+    Eigen::MatrixXd displacement = Eigen::MatrixXd::Identity(2 * n, loads);
+    displacement.noalias() -=
+        inertial * modal_mass.cwiseInverse().asDiagonal() * rigid.topRows(loads).transpose();
+
+    // Stiffness against rigid modes makes the matrix definite; balanced loads do not feel it.
+    rigid.col(2) /= rigid.col(2).norm() / std::sqrt(static_cast<double>(n));
+    stiffness.noalias() +=
+        (stiffness.trace() / static_cast<double>(2 * n * n)) * (rigid * rigid.transpose());
+    Eigen::LLT<Eigen::MatrixXd>(stiffness).solveInPlace(displacement);
+    return displacement;
+  }
+
+  Mesh mesh_;
+  Eigen::MatrixXd stress_;       // 3 elements x 2 boundary nodes, compression positive
+  Eigen::MatrixXd flexibility_;  // 2 boundary nodes squared, or empty
+};
+
+}  // namespace riprap

@@ -1,0 +1,148 @@
+#pragma once
+/// @file
+/// Near-uniform Delaunay triangles for any convex polygon: the default mesher.
+
+#include <boost/polygon/voronoi.hpp>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <riprap/core/errors.hpp>
+#include <riprap/geometry/polygon_properties.hpp>
+#include <riprap/stress/mesh/concepts.hpp>
+
+namespace riprap {
+
+/// Divides the edges evenly, fills the inside with a triangular lattice along the longest edge, and
+/// joins the points by Delaunay's rule. The spacing is the one that brings the number of triangles
+/// nearest to the number asked for (mostly exactly). Built in the body's own frame from its
+/// edges, so that a turned particle has the same mesh, turned.
+struct UniformMesher {
+  unsigned triangles = 100;  ///< wanted for every particle, whatever its size
+
+  [[nodiscard]] Mesh operator()(Ring ring) const {
+    const Mesh points = best_points(ring);
+    Mesh mesh = points;
+    triangulate(ring, mesh);
+    return mesh;
+  }
+
+  void validate() const {
+    require(triangles >= 4 && triangles <= 10000, "UniformMesher.triangles", triangles,
+            "must lie between 4 and 10000");
+  }
+
+ private:
+  // Euler's relation: every triangulation of b hull points and i inner ones has 2 i + b - 2 triangles.
+  [[nodiscard]] static std::size_t triangle_count(const Mesh& points) {
+    return 2 * points.nodes.size() - points.boundary_nodes - 2;
+  }
+
+  [[nodiscard]] Mesh best_points(Ring ring) const {
+    const double area = area_properties(ring).area;
+    const double equilateral = std::sqrt(4 * area / (std::sqrt(3.0) * triangles));
+    Mesh best;
+    double best_miss = std::numeric_limits<double>::infinity();
+    // From the ideal spacing outwards to both sides, so that ties keep the most regular layout; at
+    // each spacing the lattice may have a point, or the middle of a triangle, at the centroid.
+    for (int k = 0; k <= 60; ++k)
+      for (const double phase : {0.0, 1.0 / 3}) {
+        const double spacing = equilateral * (1 + 0.01 * (k % 2 ? -(k + 1) / 2 : k / 2));
+        Mesh points = place_points(ring, spacing, phase);
+        const double miss = std::abs(static_cast<double>(triangle_count(points)) -
+                                     static_cast<double>(triangles));
+        if (miss >= best_miss) continue;
+        best_miss = miss;
+        best = std::move(points);
+        if (miss == 0) return best;
+      }
+    return best;
+  }
+
+  [[nodiscard]] static Mesh place_points(Ring ring, double spacing, double phase) {
+    Mesh mesh;
+    Vec2 longest{0, 0};
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Vec2 edge = ring[(k + 1) % ring.size()] - ring[k];
+      if (edge.dot(edge) > longest.dot(longest)) longest = edge;
+      mesh.corners.push_back(static_cast<std::uint32_t>(mesh.nodes.size()));
+      const double parts = std::max(1.0, std::round(edge.norm() / spacing));
+      for (double i = 0; i < parts; ++i) mesh.nodes.push_back(ring[k] + (i / parts) * edge);
+    }
+    mesh.boundary_nodes = static_cast<std::uint32_t>(mesh.nodes.size());
+
+    const Vec2 u = spacing * longest.normalized();
+    const Vec2 v = 0.5 * u + std::sqrt(0.75) * perpendicular(u);
+    const int reach = static_cast<int>(1.2 * diameter(ring) / spacing) + 1;
+    for (int j = -reach; j <= reach; ++j)
+      for (int i = -reach; i <= reach; ++i) {
+        const Vec2 x = (i + phase) * u + (j + phase) * v;
+        if (depth_inside(ring, x) > 0.6 * spacing) mesh.nodes.push_back(x);
+      }
+    return mesh;
+  }
+
+  // Distance to the nearest edge; negative outside.
+  [[nodiscard]] static double depth_inside(Ring ring, const Vec2& x) {
+    double depth = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Vec2 edge = ring[(k + 1) % ring.size()] - ring[k];
+      depth = std::min(depth, cross(edge, x - ring[k]) / edge.norm());
+    }
+    return depth;
+  }
+
+  // Boost.Polygon works on integers. Boundary nodes inside an edge are lifted outwards by a hair, so
+  // that the hull is strictly convex and no triangle lies flat on an edge.
+  [[nodiscard]] static std::vector<boost::polygon::point_data<int>> integer_points(
+      Ring ring, const Mesh& mesh) {
+    const double scale = 1e8 / diameter(ring);
+    std::vector<boost::polygon::point_data<int>> points;
+    const auto push = [&](const Vec2& x) {
+      points.emplace_back(static_cast<int>(std::lround(scale * x.x())),
+                          static_cast<int>(std::lround(scale * x.y())));
+    };
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Vec2 edge = ring[(k + 1) % ring.size()] - ring[k];
+      const std::uint32_t end =
+          k + 1 < ring.size() ? mesh.corners[k + 1] : mesh.boundary_nodes;
+      for (std::uint32_t i = mesh.corners[k]; i < end; ++i) {
+        const double s = static_cast<double>(i - mesh.corners[k]) / (end - mesh.corners[k]);
+        push(mesh.nodes[i] - (1e-3 * s * (1 - s)) * perpendicular(edge));
+      }
+    }
+    for (std::size_t i = mesh.boundary_nodes; i < mesh.nodes.size(); ++i) push(mesh.nodes[i]);
+    return points;
+  }
+
+  // The Delaunay triangles are the duals of the Voronoi vertices; where more than three cells meet,
+  // their centres are joined as a fan.
+  static void triangulate(Ring ring, Mesh& mesh) {
+    const auto points = integer_points(ring, mesh);
+    boost::polygon::voronoi_diagram<double> voronoi;
+    boost::polygon::construct_voronoi(points.begin(), points.end(), &voronoi);
+    std::vector<std::uint32_t> around;
+    for (const auto& vertex : voronoi.vertices()) {
+      around.clear();
+      const auto* first = vertex.incident_edge();
+      const auto* edge = first;
+      do {
+        around.push_back(static_cast<std::uint32_t>(edge->cell()->source_index()));
+        edge = edge->rot_next();
+      } while (edge != first);
+      for (std::size_t k = 1; k + 1 < around.size(); ++k) {
+        mesh.triangles.push_back({around[0], around[k], around[k + 1]});
+        if (mesh.area(mesh.size() - 1) < 0)
+          std::swap(mesh.triangles.back()[1], mesh.triangles.back()[2]);
+      }
+    }
+    if (mesh.size() != triangle_count(mesh))
+      throw SimulationError("mesh has " + std::to_string(mesh.size()) + " triangles where " +
+                            std::to_string(triangle_count(mesh)) + " were expected");
+  }
+};
+
+static_assert(Mesher<UniformMesher>);
+
+}  // namespace riprap

@@ -1,0 +1,19 @@
+#pragma once
+/// @file
+/// The particle flies free, its inertia balances what the contacts leave over: the default.
+
+#include <riprap/stress/support/concepts.hpp>
+
+namespace riprap {
+
+/// Statically determinate: no contact is treated unlike another. The balancing is part of the
+/// operator, so there is nothing left to do.
+struct InertiaRelief {
+  static constexpr bool needs_flexibility = false;
+
+  void settle(std::span<BoundaryLoad>, const InfluenceOperator&) const {}
+};
+
+static_assert(Support<InertiaRelief>);
+
+}  // namespace riprap
