@@ -27,7 +27,10 @@ struct RandomAssembly {
   double smallest_diameter = 0.7;  ///< over the mean [-]; diameters are uniform in between
   double largest_diameter = 1.3;   ///< over the mean [-]
   double solid_fraction = 0.45;    ///< before compaction [-]
-  double dense_fraction = 0.88;    ///< [-] at which the boundary ring is to be closed
+  double dense_fraction = 0.88;    ///< expected after compaction [-]; sets the boundary's count
+  /// Distance along the ring, when dense, over the particles' extent [-]. Boundary particles do not
+  /// touch each other; below 1 the ring stays closed when shear stretches it.
+  double boundary_spacing = 0.8;
 
   /// Throws InvalidInput that names the value and the rule.
   void validate() const {
@@ -43,6 +46,8 @@ struct RandomAssembly {
     require(dense_fraction > solid_fraction && dense_fraction <= 1,
             "RandomAssembly.dense_fraction", dense_fraction,
             "must lie above solid_fraction and be at most 1");
+    require(boundary_spacing > 0 && boundary_spacing <= 2, "RandomAssembly.boundary_spacing",
+            boundary_spacing, "must lie in (0, 2]");
     shape.validate();
   }
 };
@@ -92,87 +97,84 @@ class PlacementGrid {
   return high - low;
 }
 
-}  // namespace internal
-
-/// Places polygons at random without overlap inside a circle about the origin. The first ones of
-/// the list form the boundary: a ring driven by the strain field, spaced so that it is just closed
-/// when the sample has been compacted to `dense_fraction`. Same seed, same bytes.
-[[nodiscard]] inline Assembly random_assembly(const RandomAssembly& options) {
-  options.validate();
-  constexpr double pi = std::numbers::pi;
-  Random random(options.seed);
-  const double d = options.mean_diameter;
-  const auto draw = [&] {
-    const double size = d * random.uniform(options.smallest_diameter, options.largest_diameter);
-    return random_polygon(options.shape, size, random);
-  };
-
-  std::vector<ConvexPolygon> polygons;
-  double area = 0;
-  for (unsigned i = 0; i < options.count; ++i) {
-    polygons.push_back(draw());
-    area += area_properties(polygons.back().ring()).area;
+/// Polygons one after the other round the circle, each with the arc it needs. Moves the first few of
+/// `polygons` into the assembly; the ring closes at `dense_radius` and is placed at `radius`.
+inline void place_ring(std::vector<ConvexPolygon>& polygons, double dense_radius, double radius,
+                       double spacing, Assembly& assembly) {
+  constexpr double two_pi = 2 * std::numbers::pi;
+  std::vector<double> arcs;
+  double length = 0;
+  while (arcs.size() + 1 < polygons.size() && length < two_pi * dense_radius) {
+    const Rotation at = Rotation::from_angle(length / dense_radius);
+    arcs.push_back(spacing * tangential_extent(polygons[arcs.size()], {at.cosine, at.sine}));
+    length += arcs.back();
   }
-  const double dense_radius = std::sqrt(area / (pi * options.dense_fraction));
-  const double radius = std::sqrt(area / (pi * options.solid_fraction));
-
-  // The boundary ring: polygons follow each other round the circle, each with the arc it needs.
-  double arc = 0;
-  std::size_t boundary = 0;
-  while (boundary + 1 < polygons.size() && arc < 2 * pi * dense_radius) {
-    const Rotation at = Rotation::from_angle(arc / dense_radius);
-    arc += internal::tangential_extent(polygons[boundary], Vec2{at.cosine, at.sine});
-    ++boundary;
-  }
-  Assembly assembly{.thickness = options.thickness, .particles = {}};
-  const double turn_per_arc = 2 * pi / arc;
   double begun = 0;
-  for (std::size_t i = 0; i < boundary; ++i) {
-    const Rotation roughly = Rotation::from_angle(begun / dense_radius);
-    const double extent =
-        internal::tangential_extent(polygons[i], Vec2{roughly.cosine, roughly.sine});
-    const Rotation at = Rotation::from_angle(turn_per_arc * (begun + 0.5 * extent));
-    assembly.particles.push_back(
-        {polygons[i].moved(Rotation{}, radius * Vec2{at.cosine, at.sine}), Motion::strain_field});
-    begun += extent;
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    const Rotation at = Rotation::from_angle(two_pi * (begun + 0.5 * arcs[i]) / length);
+    const Vec2 centre = radius * Vec2{at.cosine, at.sine};
+    assembly.particles.push_back({polygons[i].moved({}, centre), Motion::strain_field});
+    begun += arcs[i];
   }
+  polygons.erase(polygons.begin(), polygons.begin() + static_cast<std::ptrdiff_t>(arcs.size()));
+}
 
-  // The inside, largest first: the small ones find room between the large ones.
-  std::vector<ConvexPolygon> inside(polygons.begin() + static_cast<std::ptrdiff_t>(boundary),
-                                    polygons.end());
-  std::stable_sort(inside.begin(), inside.end(), [](const auto& a, const auto& b) {
+/// Random places within `reach` of the origin for all polygons, largest first: the small ones find
+/// room between the large ones. Throws InvalidInput where there is no room.
+inline void place_inside(std::vector<ConvexPolygon>& polygons, double reach, double cell,
+                         Random& random, Assembly& assembly) {
+  std::stable_sort(polygons.begin(), polygons.end(), [](const auto& a, const auto& b) {
     return area_properties(a.ring()).area > area_properties(b.ring()).area;
   });
-  std::vector<ConvexPolygon> placed;
-  placed.reserve(options.count);
-  double widest = 0;
-  for (const ConvexPolygon& p : polygons) widest = std::max(widest, diameter(p.ring()));
-  internal::PlacementGrid grid(widest);
-  for (const PlacedParticle& p : assembly.particles) {
-    placed.push_back(p.polygon);
-    grid.insert(placed.back(), area_properties(p.polygon.ring()).centroid);
-  }
+  // The grid points into the list, which must not move.
+  assembly.particles.reserve(assembly.particles.size() + polygons.size());
+  PlacementGrid grid(cell);
+  for (const PlacedParticle& p : assembly.particles)
+    grid.insert(p.polygon, area_properties(p.polygon.ring()).centroid);
+
   constexpr unsigned most_tries = 100000;
-  for (const ConvexPolygon& p : inside) {
-    unsigned tries = 0;
-    for (;; ++tries) {
+  for (const ConvexPolygon& polygon : polygons) {
+    for (unsigned tries = 0;; ++tries) {
       if (tries == most_tries)
-        throw InvalidInput("RandomAssembly.solid_fraction = " + to_text(options.solid_fraction) +
-                           ": no room found for polygon " + std::to_string(placed.size()) +
-                           " in " + std::to_string(most_tries) + " tries; choose a lower value");
-      const double r = radius * std::sqrt(random.uniform(0, 1));
-      const Rotation at = Rotation::from_angle(random.uniform(0, 2 * pi));
-      const Vec2 where = r * Vec2{at.cosine, at.sine};
-      // Nothing may start outside the ring of boundary centroids.
-      if (r > radius - 0.5 * d) continue;
-      const ConvexPolygon candidate = p.moved(Rotation{}, where);
-      if (!grid.is_clear(candidate.ring(), where)) continue;
-      placed.push_back(candidate);
-      grid.insert(placed.back(), where);
-      assembly.particles.push_back({candidate, Motion::free});
+        throw InvalidInput("random assembly: no room for particle " +
+                           std::to_string(assembly.particles.size()) + " in " +
+                           std::to_string(most_tries) + " tries; lower solid_fraction");
+      const double r = reach * std::sqrt(random.uniform(0, 1));
+      const Rotation at = Rotation::from_angle(random.uniform(0, 2 * std::numbers::pi));
+      const Vec2 centre = r * Vec2{at.cosine, at.sine};
+      ConvexPolygon candidate = polygon.moved({}, centre);
+      if (!grid.is_clear(candidate.ring(), centre)) continue;
+      assembly.particles.push_back({std::move(candidate), Motion::free});
+      grid.insert(assembly.particles.back().polygon, centre);
       break;
     }
   }
+}
+
+}  // namespace internal
+
+/// Places polygons at random without overlap inside a circle about the origin. The first ones of
+/// the list form the boundary: a ring driven by the strain field. Same seed, same bytes.
+[[nodiscard]] inline Assembly random_assembly(const RandomAssembly& options) {
+  options.validate();
+  Random random(options.seed);
+  const double d = options.mean_diameter;
+  std::vector<ConvexPolygon> polygons;
+  double area = 0;
+  double widest = 0;
+  for (unsigned i = 0; i < options.count; ++i) {
+    const double size = d * random.uniform(options.smallest_diameter, options.largest_diameter);
+    polygons.push_back(random_polygon(options.shape, size, random));
+    area += area_properties(polygons.back().ring()).area;
+    widest = std::max(widest, diameter(polygons.back().ring()));
+  }
+  const double dense_radius = std::sqrt(area / (std::numbers::pi * options.dense_fraction));
+  const double radius = std::sqrt(area / (std::numbers::pi * options.solid_fraction));
+
+  Assembly assembly{.thickness = options.thickness, .particles = {}};
+  internal::place_ring(polygons, dense_radius, radius, options.boundary_spacing, assembly);
+  // Nothing may start outside the ring of boundary centroids.
+  internal::place_inside(polygons, radius - 0.5 * d, widest, random, assembly);
   return assembly;
 }
 

@@ -74,9 +74,9 @@ class Simulation {
     notify([&](auto& o) { if constexpr (requires { o.before_forces(*this); }) o.before_forces(*this); },
            observers...);
     contacts_.update(particles_, time_step_);
-    finish_bodies();
     notify([&](auto& o) { if constexpr (requires { o.after_forces(*this); }) o.after_forces(*this); },
            observers...);
+    finish_bodies();
     ++steps_;
     if constexpr (breakable)
       if (breakage_active_ && steps_ % model_.breakage_model.check_every == 0)
@@ -118,14 +118,14 @@ class Simulation {
   }
 
   /// Evaluates particle i now: its element stresses, in its own frame, good until the next call.
-  const ElementStress& element_stress(BodyIndex i) {
+  [[nodiscard]] const ElementStress& element_stress(BodyIndex i) const {
     stress_.gather(particles_, contacts_);
     return stress_.evaluate(particles_, i);
   }
-  [[nodiscard]] const Mesh& mesh(BodyIndex i) { return stress_.influence(particles_, i).mesh(); }
+  [[nodiscard]] const Mesh& mesh(BodyIndex i) const { return stress_.influence(particles_, i).mesh(); }
 
   /// Rat of every particle now (0 for driven ones), in the order of the bodies.
-  [[nodiscard]] std::vector<double> failed_ratios() {
+  [[nodiscard]] std::vector<double> failed_ratios() const {
     std::vector<double> ratios(particles_.size(), 0);
     if constexpr (breakable) {
       stress_.gather(particles_, contacts_);
@@ -262,7 +262,8 @@ class Simulation {
     const ElementStress& stress = stress_.evaluate(particles_, i);
     const Mesh& mesh = stress_.influence(particles_, i).mesh();
     const Body& body = particles_.body(i);
-    Crack crack{.tally = tally_failures(breakage.criterion, stress)};
+    Crack crack;
+    crack.tally = tally_failures(breakage.criterion, stress);
     points_.clear();
     for (std::size_t e = 0; e < stress.size(); ++e) {
       const ElementFailure element = evaluate(breakage.criterion, stress[e]);
@@ -327,7 +328,8 @@ class Simulation {
   Rock rock_;
   Particles particles_;
   Contacts contacts_;
-  ParticleStress<decltype(ModelType::stress_model)> stress_;
+  // Operators are built when first asked for, also by a const question.
+  mutable ParticleStress<decltype(ModelType::stress_model)> stress_;
   double smallest_mass_ = std::numeric_limits<double>::infinity();
   double mean_area_ = 0;
   double time_step_ = 0;

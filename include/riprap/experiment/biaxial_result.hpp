@@ -1,0 +1,29 @@
+#pragma once
+/// @file
+/// What a biaxial test tells about itself.
+
+#include <array>
+#include <cstdint>
+
+#include <riprap/experiment/stage.hpp>
+
+namespace riprap {
+
+/// What a biaxial test leaves beside the observers' records.
+struct BiaxialResult {
+  struct StageResult {
+    std::uint64_t steps = 0;
+    double wall_seconds = 0;
+    bool reached_target = false;  ///< false: the cap on its steps ended the stage
+  };
+  std::array<StageResult, 4> stages;  ///< in the order of Stage
+  double axial_rate = 0;              ///< of shear [1/s]
+  double mean_confinement_error = 0;  ///< mean over all steps of shear of sigma_11 / pressure - 1
+  double rms_confinement_error = 0;
+
+  [[nodiscard]] const StageResult& stage(Stage s) const {
+    return stages[static_cast<std::size_t>(s)];
+  }
+};
+
+}  // namespace riprap

@@ -1,0 +1,227 @@
+#pragma once
+/// @file
+/// The program of a biaxial test, stage by stage.
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <tuple>
+#include <type_traits>
+
+#include <riprap/core/errors.hpp>
+#include <riprap/experiment/biaxial_result.hpp>
+#include <riprap/experiment/pressure_servo.hpp>
+#include <riprap/experiment/stage.hpp>
+#include <riprap/measurement/average_stress.hpp>
+#include <riprap/measurement/dimensionless.hpp>
+#include <riprap/measurement/energy.hpp>
+#include <riprap/measurement/volume.hpp>
+#include <riprap/simulation/observer.hpp>
+
+namespace riprap::internal {
+
+
+/// One biaxial test on its way.
+template <class Test, class Sim, class... Observers>
+class BiaxialRun {
+ public:
+  BiaxialRun(const Test& test, Sim& sim, std::remove_reference_t<Observers>&... observers)
+      : test_(test), sim_(sim), boundary_(sim.particles()), observers_(observers...),
+        view_{.sim = sim, .boundary = boundary_, .confining_pressure = test.confining_pressure} {
+    view_.mean_diameter = std::sqrt(4 * sim.mean_area() / std::numbers::pi);
+    if (boundary_.members().size() < 3)
+      throw InvalidInput("BiaxialTest needs at least 3 particles of Motion::strain_field; the "
+                         "assembly has " +
+                         std::to_string(boundary_.members().size()));
+  }
+
+  BiaxialResult run() {
+    stage(Stage::compaction, [&] { return compact(); });
+    stage(Stage::relaxation, [&] { return relax(); });
+    sim_.set_breakage(true);
+    stage(Stage::hydrostatic, [&] { return pressurise(); });
+    stage(Stage::shear, [&] { return shear(); });
+    return result_;
+  }
+
+ private:
+  static constexpr unsigned check_interval = 128;  // steps
+  static constexpr unsigned quiet_checks = 8;      // in a row that end the hydrostatic stage
+
+  [[nodiscard]] double rate_at(double inertia, double pressure) const {
+    return inertia / inertial_number(1, view_.mean_diameter, sim_.rock().density, pressure);
+  }
+  [[nodiscard]] double sample_stiffness() const {
+    return 0.5 * sim_.contact_law().peak_stiffness() / sim_.particles().thickness();
+  }
+  // The time that a pressure wave takes from the boundary to the centre.
+  [[nodiscard]] double servo_response() const {
+    return boundary_.semi_axes(sim_.particles()).maxCoeff() *
+           std::sqrt(sim_.rock().density / sample_stiffness());
+  }
+  [[nodiscard]] Stress2 stress() const {
+    return average_stress(sim_.contacts(), view_.area, sim_.particles().thickness());
+  }
+
+  template <class Program>
+  void stage(Stage stage, Program&& program) {
+    view_.stage = stage;
+    view_.done = 0;
+    view_.stretch = {1, 1};
+    first_area_ = boundary_.area(sim_.particles());
+    view_.area = first_area_;
+    set_rate({0, 0});
+    tell([&](auto& o) { if constexpr (requires { o.begin_stage(view_); }) o.begin_stage(view_); });
+    const std::uint64_t first_step = sim_.steps();
+    const auto begun = std::chrono::steady_clock::now();
+    auto& outcome = result_.stages[static_cast<std::size_t>(stage)];
+    outcome.reached_target = program();
+    outcome.steps = sim_.steps() - first_step;
+    outcome.wall_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    view_.done = 1;
+    tell([&](auto& o) { if constexpr (requires { o.end_stage(view_); }) o.end_stage(view_); });
+  }
+
+  void step() {
+    std::apply([&](auto&... o) { sim_.step(o...); }, observers_);
+    view_.stretch -= sim_.time_step() * view_.rate.cwiseProduct(view_.stretch);
+    view_.area = first_area_ * view_.stretch.x() * view_.stretch.y();
+  }
+  void set_rate(const Vec2& rate) {
+    view_.rate = rate;
+    sim_.boundary().set_rate(rate.x(), rate.y());
+  }
+  // The share only ever grows, whatever estimate it comes from.
+  void progress(double done) {
+    view_.done = std::clamp(done, view_.done, 1.0);
+    tell([&](auto& o) { if constexpr (requires { o.progress(view_); }) o.progress(view_); });
+  }
+  template <class Call>
+  void tell(Call&& call) {
+    std::apply([&](auto&... o) { notify(call, o...); }, observers_);
+  }
+
+  // Steps, each after `steer()`, until `finished()`, asked now and then, says so; false if the cap on
+  // steps came first.
+  template <class Steer, class Finished>
+  bool step_until(Steer&& steer, Finished&& finished) {
+    for (std::uint64_t n = 1; n <= test_.most_steps; ++n) {
+      steer();
+      step();
+      if (n % check_interval == 0 && finished()) return true;
+    }
+    return false;
+  }
+
+  // Constant rate, without friction where the law knows friction, until slow and under stress. All
+  // particles start with the velocity of the field, so that the sample contracts as a whole.
+  bool compact() {
+    sim_.set_breakage(false);
+    const double rate = rate_at(test_.compaction_inertial_number, test_.jam_pressure);
+    auto& law = sim_.contact_law();
+    const auto original = law;
+    if constexpr (requires { law.friction = 0.0; }) law.friction = 0.0;
+    for (BodyIndex i = 0; i < sim_.particles().size(); ++i)
+      if (Body& body = sim_.body(i); body.is_free()) body.velocity = -rate * body.position;
+    set_rate({rate, rate});
+    // A jammed sample of sharp polygons fills about 0.8 of its boundary polygon.
+    const double solid = boundary_.solid_area(sim_.particles());
+    const double distance = std::log(view_.area * 0.8 / solid);
+    const bool jammed = step_until([] {}, [&] {
+      progress(-std::log(view_.stretch.x() * view_.stretch.y()) / distance);
+      return stress().mean() >= test_.jam_pressure &&
+             kinetic_energy(sim_.particles()) <=
+                 test_.jam_kinetic_ratio * stored_energy(sim_.contacts());
+    });
+    law = original;
+    if (!jammed)
+      throw SimulationError("compaction did not jam within " + std::to_string(test_.most_steps) +
+                            " steps: mean stress " + to_text(stress().mean()) + " Pa");
+    return jammed;
+  }
+
+  bool relax() {
+    const double first = state_numbers(sim_.contacts(), sim_.particles()).unbalanced_force;
+    return step_until([] {}, [&] {
+      const double now = state_numbers(sim_.contacts(), sim_.particles()).unbalanced_force;
+      progress(std::log(now / first) / std::log(test_.rest_unbalanced_force / first));
+      return now < test_.rest_unbalanced_force;
+    });
+  }
+
+  bool pressurise() {
+    const double p = test_.confining_pressure;
+    const double limit = 2 * rate_at(test_.inertial_number, p);
+    PressureServo servo_1(sample_stiffness(), servo_response(), limit);
+    PressureServo servo_2(sample_stiffness(), servo_response(), limit);
+    const double first = std::abs(p - stress().mean());
+    unsigned quiet = 0;
+    const auto steer = [&] {
+      const Stress2 s = stress();
+      set_rate({servo_1.rate(p - s.s11, sim_.time_step()),
+                servo_2.rate(p - s.s22, sim_.time_step())});
+    };
+    return step_until(steer, [&] {
+      const Stress2 s = stress();
+      const double miss = std::max(std::abs(s.s11 - p), std::abs(s.s22 - p)) / p;
+      progress(0.9 * (1 - std::abs(p - s.mean()) / first));
+      const bool good = miss <= test_.hydrostatic_tolerance &&
+                        state_numbers(sim_.contacts(), sim_.particles()).unbalanced_force <
+                            test_.hydrostatic_unbalanced_force;
+      quiet = good ? quiet + 1 : 0;
+      return quiet >= quiet_checks;
+    });
+  }
+
+  // Constant rate of engineering strain along axis 2, reached smoothly; the servo holds axis 1.
+  bool shear() {
+    const double p = test_.confining_pressure;
+    const double rate = rate_at(test_.inertial_number, p);
+    const double ramp = servo_response();
+    const double begun = sim_.time();
+    PressureServo servo(sample_stiffness(), ramp, 10 * rate);
+    double error_sum = 0;
+    double error_squares = 0;
+    std::uint64_t steps = 0;
+    double next_record = test_.record_every;
+    result_.axial_rate = rate;
+    record();
+    while (view_.axial_strain() < test_.axial_strain) {
+      const double error = stress().s11 / p - 1;
+      error_sum += error;
+      error_squares += error * error;
+      const double reached = std::min(1.0, (sim_.time() - begun + sim_.time_step()) / ramp);
+      set_rate({servo.rate(-error * p, sim_.time_step()), reached * rate / view_.stretch.y()});
+      step();
+      if (++steps % check_interval == 0) progress(view_.axial_strain() / test_.axial_strain);
+      if (view_.axial_strain() >= next_record || view_.axial_strain() >= test_.axial_strain) {
+        record();
+        next_record += test_.record_every;
+      }
+    }
+    if (steps > 0) {
+      result_.mean_confinement_error = error_sum / static_cast<double>(steps);
+      result_.rms_confinement_error = std::sqrt(error_squares / static_cast<double>(steps));
+    }
+    return true;
+  }
+
+  void record() {
+    tell([&](auto& o) { if constexpr (requires { o.record(view_); }) o.record(view_); });
+  }
+
+  const Test& test_;
+  Sim& sim_;
+  BoundaryPolygon boundary_;
+  std::tuple<std::remove_reference_t<Observers>&...> observers_;
+  BiaxialView<Sim> view_;
+  double first_area_ = 0;
+  BiaxialResult result_;
+};
+
+}  // namespace riprap::internal

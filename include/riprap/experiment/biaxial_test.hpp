@@ -1,0 +1,58 @@
+#pragma once
+/// @file
+/// The biaxial test: compaction, relaxation, hydrostatic pressure, shear.
+
+#include <cstdint>
+
+#include <riprap/core/errors.hpp>
+#include <riprap/experiment/biaxial_result.hpp>
+#include <riprap/experiment/biaxial_run.hpp>
+
+namespace riprap {
+
+/// A drained biaxial test on a circular assembly whose boundary particles follow a strain field:
+/// axis 2 is shortened at a constant rate of engineering strain while a servo holds sigma_11.
+/// Breakage is on in the last two stages.
+struct BiaxialTest {
+  double confining_pressure = 2e6;    ///< [Pa]
+  double axial_strain = 0.2;          ///< at the end [-]
+  double inertial_number = 1e-3;      ///< of shear, at the confining pressure; 5e-4 below 1 MPa
+  double record_every = 0.0025;       ///< axial strain between records [-]
+
+  double jam_pressure = 2e5;          ///< mean stress at which a slow sample counts as jammed [Pa]
+  double jam_kinetic_ratio = 0.1;     ///< kinetic over stored energy below which it counts as slow
+  double compaction_inertial_number = 2e-3;  ///< of compaction, at the jam pressure
+  double rest_unbalanced_force = 1e-3;       ///< that ends relaxation
+  double hydrostatic_tolerance = 0.01;       ///< on both normal stresses
+  double hydrostatic_unbalanced_force = 1e-2;
+  std::uint64_t most_steps = 2'000'000;  ///< per stage before shear
+
+  /// Throws InvalidInput that names the value and the rule.
+  void validate() const {
+    require_positive("BiaxialTest.confining_pressure", confining_pressure);
+    require(axial_strain >= 0 && axial_strain < 0.9, "BiaxialTest.axial_strain", axial_strain,
+            "must lie in [0, 0.9)");
+    require_positive("BiaxialTest.inertial_number", inertial_number);
+    require_positive("BiaxialTest.record_every", record_every);
+    require_positive("BiaxialTest.jam_pressure", jam_pressure);
+    require_positive("BiaxialTest.jam_kinetic_ratio", jam_kinetic_ratio);
+    require_positive("BiaxialTest.compaction_inertial_number", compaction_inertial_number);
+    require_positive("BiaxialTest.rest_unbalanced_force", rest_unbalanced_force);
+    require_positive("BiaxialTest.hydrostatic_tolerance", hydrostatic_tolerance);
+    require_positive("BiaxialTest.hydrostatic_unbalanced_force", hydrostatic_unbalanced_force);
+  }
+
+  /// Runs all four stages. Observers get the hooks of a simulation step and, with a BiaxialView,
+  /// `begin_stage`, `progress` (now and then), `record` (in shear, first and last state included)
+  /// and `end_stage`.
+  template <class Sim, class... Observers>
+  BiaxialResult run(Sim& sim, Observers&&... observers) const {
+    static_assert(requires { sim.boundary().set_rate(0.0, 0.0); },
+                  "riprap: BiaxialTest drives its boundary by strain rates; give the model a "
+                  "boundary that has set_rate(axis_1, axis_2), such as StrainField");
+    validate();
+    return internal::BiaxialRun<BiaxialTest, Sim, Observers...>(*this, sim, observers...).run();
+  }
+};
+
+}  // namespace riprap

@@ -1,0 +1,128 @@
+#pragma once
+/// @file
+/// The curves of a biaxial test: everything measured, at each record.
+
+#include <algorithm>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include <riprap/experiment/stage.hpp>
+#include <riprap/measurement/average_stress.hpp>
+#include <riprap/measurement/coordination.hpp>
+#include <riprap/measurement/dimensionless.hpp>
+#include <riprap/measurement/energy_ledger.hpp>
+#include <riprap/measurement/fabric.hpp>
+#include <riprap/measurement/stress_force_fabric.hpp>
+
+namespace riprap {
+
+/// One state of a biaxial test; SI units, strains and ratios as fractions.
+struct CurvePoint {
+  double axial_strain = 0;
+  double volumetric_strain = 0;
+  double porosity = 0;
+  Stress2 stress;        ///< over the whole assembly [Pa]
+  Stress2 inner_stress;  ///< over the inner ellipse of 0.65 of its extent [Pa]
+  Coordination coordination;
+  std::size_t particles = 0;
+  std::size_t breakages = 0;
+  Fabric fabric;
+  double inertial_number = 0;  ///< with the present strain rate and mean stress
+  double overlap_ratio = 0;    ///< mean overlap over mean diameter
+  StateNumbers state;
+  std::size_t lost_particles = 0;
+  EnergyTerms energy;  ///< since the start of shear
+
+  [[nodiscard]] double sin_phi() const { return riprap::sin_phi(stress); }
+  [[nodiscard]] double inner_sin_phi() const { return riprap::sin_phi(inner_stress); }
+  /// Right-hand sides of eqs 14 and 15, and the full relation with branch vectors, along axis 2.
+  [[nodiscard]] double sin_phi_fabric() const { return sin_phi_from_fabric(fabric, axis_2); }
+  [[nodiscard]] double sin_phi_fabric_simplified() const {
+    return sin_phi_from_fabric_simplified(fabric, axis_2);
+  }
+  [[nodiscard]] double sin_phi_fabric_full() const {
+    return riprap::sin_phi(stress_from_fabric(fabric));
+  }
+  [[nodiscard]] double energy_error() const {
+    return energy.boundary_work == 0 ? 0 : energy.unclosed() / energy.boundary_work;
+  }
+
+ private:
+  static constexpr double axis_2 = 0.5 * std::numbers::pi;
+};
+
+/// An observer of BiaxialTest that measures at each record and keeps the energy ledger of shear.
+class Curve {
+ public:
+  [[nodiscard]] const std::vector<CurvePoint>& points() const { return points_; }
+  [[nodiscard]] std::size_t breakages_before_shear() const { return breakages_before_shear_; }
+
+  /// The point with the largest sin phi; the curve must not be empty.
+  [[nodiscard]] const CurvePoint& peak() const {
+    return *std::max_element(points_.begin(), points_.end(), [](const auto& p, const auto& q) {
+      return p.sin_phi() < q.sin_phi();
+    });
+  }
+
+  template <class Sim>
+  void begin_stage(const BiaxialView<Sim>& view) {
+    if (view.stage != Stage::shear) return;
+    ledger_.open(view.sim);
+    breakages_before_shear_ = view.sim.breaks().size();
+  }
+  template <class Sim>
+  void record(const BiaxialView<Sim>& view) {
+    points_.push_back(measure(view));
+  }
+
+  template <class Sim>
+  void before_forces(const Sim& sim) {
+    ledger_.before_forces(sim);
+  }
+  template <class Sim>
+  void after_forces(const Sim& sim) {
+    ledger_.after_forces(sim);
+  }
+  template <class Sim>
+  void before_splits(const Sim& sim) {
+    ledger_.before_splits(sim);
+  }
+  template <class Sim>
+  void after_splits(const Sim& sim) {
+    ledger_.after_splits(sim);
+  }
+
+ private:
+  template <class Sim>
+  [[nodiscard]] CurvePoint measure(const BiaxialView<Sim>& view) const {
+    constexpr double inner_share = 0.65;
+    const Particles& particles = view.sim.particles();
+    const auto& contacts = view.sim.contacts();
+    CurvePoint p;
+    p.axial_strain = view.axial_strain();
+    p.volumetric_strain = view.volumetric_strain();
+    p.porosity = porosity(view.boundary, particles, contacts);
+    p.stress = average_stress(contacts, view.area, particles.thickness());
+    p.inner_stress = average_stress_within(
+        contacts, particles.bodies(), Ellipse{inner_share * view.boundary.semi_axes(particles)},
+        particles.thickness());
+    p.coordination = coordination(contacts, particles);
+    p.particles = particles.size();
+    p.breakages = view.sim.breaks().size() - breakages_before_shear_;
+    p.fabric = fabric(contact_samples(contacts));
+    p.inertial_number = inertial_number(view.rate.y(), view.mean_diameter, particles.density(),
+                                        p.stress.mean());
+    p.state = state_numbers(contacts, particles);
+    p.overlap_ratio = p.state.mean_overlap / view.mean_diameter;
+    p.lost_particles = view.boundary.lost(particles);
+    p.energy = ledger_.terms(view.sim);
+    return p;
+  }
+
+  std::vector<CurvePoint> points_;
+  EnergyLedger ledger_;
+  std::size_t breakages_before_shear_ = 0;
+};
+
+}  // namespace riprap

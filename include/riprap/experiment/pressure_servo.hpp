@@ -1,0 +1,36 @@
+#pragma once
+/// @file
+/// Holds a normal stress at a pressure by adjusting a strain rate.
+
+#include <algorithm>
+
+namespace riprap {
+
+/// Proportional and integral control of a strain rate [1/s], positive in shortening. The sample is
+/// taken as a spring of `stiffness` [Pa]; the loop is critically damped for it, with the time
+/// constant `response` [s]. A purely proportional servo drifts as the sample deforms.
+class PressureServo {
+ public:
+  PressureServo(double stiffness, double response, double largest_rate)
+      : gain_(1 / (stiffness * response)),
+        integral_gain_(gain_ / (4 * response)),
+        largest_rate_(largest_rate) {}
+
+  /// @param shortfall wanted minus present stress [Pa]
+  [[nodiscard]] double rate(double shortfall, double time_step) {
+    const double integral = integral_ + integral_gain_ * shortfall * time_step;
+    const double wanted = gain_ * shortfall + integral;
+    const double rate = std::clamp(wanted, -largest_rate_, largest_rate_);
+    // No winding up while the rate is at its limit.
+    if (rate == wanted) integral_ = integral;
+    return rate;
+  }
+
+ private:
+  double gain_;
+  double integral_gain_;
+  double largest_rate_;
+  double integral_ = 0;
+};
+
+}  // namespace riprap

@@ -1,0 +1,43 @@
+#pragma once
+/// @file
+/// The stages of a biaxial test and what an observer sees of them.
+
+#include <riprap/core/vec2.hpp>
+#include <riprap/measurement/volume.hpp>
+
+namespace riprap {
+
+/// In this order.
+enum class Stage { compaction, relaxation, hydrostatic, shear };
+
+[[nodiscard]] constexpr const char* to_text(Stage stage) {
+  switch (stage) {
+    case Stage::compaction: return "compaction";
+    case Stage::relaxation: return "relaxation";
+    case Stage::hydrostatic: return "hydrostatic";
+    case Stage::shear: return "shear";
+  }
+  return "";
+}
+
+/// The state of a biaxial test, handed to observers' hooks `begin_stage`, `progress`, `record` and
+/// `end_stage`.
+template <class Sim>
+struct BiaxialView {
+  const Sim& sim;
+  const BoundaryPolygon& boundary;
+  Stage stage = Stage::compaction;
+  double done = 0;               ///< rough share of the stage that is done, in [0, 1]
+  double confining_pressure = 0; ///< [Pa]
+  double mean_diameter = 0;      ///< of the circles of equal area, intact particles [m]
+  Vec2 stretch{1, 1};            ///< extent over that at the start of the stage, axes 1 and 2
+  Vec2 rate{0, 0};               ///< shortening rates [1/s]
+  double area = 0;               ///< of the assembly [m^2]
+
+  /// Engineering strain of the field along axis 2, positive in shortening.
+  [[nodiscard]] double axial_strain() const { return 1 - stretch.y(); }
+  /// Positive in contraction.
+  [[nodiscard]] double volumetric_strain() const { return 1 - stretch.x() * stretch.y(); }
+};
+
+}  // namespace riprap

@@ -1,0 +1,73 @@
+#pragma once
+/// @file
+/// Average stress of an assembly from its contact forces, and what follows from it.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <riprap/core/stress2.hpp>
+#include <riprap/core/vec2.hpp>
+
+namespace riprap {
+
+/// Eq. 13 (Rothenburg 1980): sigma_ij = 1 / (A t) sum of f_i l_j over contacts, compression positive,
+/// symmetric part. `contacts` offers for_each_touching(visit); f is the force on b, l the branch
+/// from a to b.
+/// @param area of the assembly [m^2]; @param thickness [m]
+template <class Contacts>
+[[nodiscard]] Stress2 average_stress(const Contacts& contacts, double area, double thickness) {
+  Stress2 sum;
+  contacts.for_each_touching([&sum](const auto& c) {
+    const Vec2 f = c.force_on_b();
+    const Vec2 l = c.branch();
+    sum += {f.x() * l.x(), f.y() * l.y(), 0.5 * (f.x() * l.y() + f.y() * l.x())};
+  });
+  return (1 / (area * thickness)) * sum;
+}
+
+/// Semi-axes of an ellipse about the origin, along axes 1 and 2 [m].
+struct Ellipse {
+  Vec2 semi_axes{0, 0};
+  [[nodiscard]] double area() const { return std::numbers::pi * semi_axes.x() * semi_axes.y(); }
+
+  /// Share of the segment from p to q that lies inside [-].
+  [[nodiscard]] double share_inside(const Vec2& p, const Vec2& q) const {
+    // In units of the semi-axes: |p + s (q - p)|^2 = 1.
+    const Vec2 u = p.cwiseQuotient(semi_axes);
+    const Vec2 d = q.cwiseQuotient(semi_axes) - u;
+    const double a = d.dot(d);
+    const double b = u.dot(d);
+    const double discriminant = b * b - a * (u.dot(u) - 1);
+    if (a == 0 || discriminant <= 0) return u.dot(u) < 1 && a == 0 ? 1 : 0;
+    const double root = std::sqrt(discriminant);
+    const double enter = std::max(0.0, (-b - root) / a);
+    const double leave = std::min(1.0, (-b + root) / a);
+    return std::max(0.0, leave - enter);
+  }
+};
+
+/// The same average over the material inside an ellipse: each contact counts with the share of its
+/// branch that lies inside. Free of the boundary's own effects.
+/// @param bodies read for the positions of the bodies in contact
+template <class Contacts, class Bodies>
+[[nodiscard]] Stress2 average_stress_within(const Contacts& contacts, const Bodies& bodies,
+                                            const Ellipse& region, double thickness) {
+  Stress2 sum;
+  contacts.for_each_touching([&](const auto& c) {
+    const double share = region.share_inside(bodies[c.a].position, bodies[c.b].position);
+    const Vec2 f = c.force_on_b();
+    const Vec2 l = share * c.branch();
+    sum += {f.x() * l.x(), f.y() * l.y(), 0.5 * (f.x() * l.y() + f.y() * l.x())};
+  });
+  return (1 / (region.area() * thickness)) * sum;
+}
+
+/// Eq. 12 for a test that loads axis 2: (sigma_22 - sigma_11) / (sigma_22 + sigma_11); 0 where there
+/// is no stress.
+[[nodiscard]] inline double sin_phi(const Stress2& stress) {
+  const double sum = stress.s22 + stress.s11;
+  return sum == 0 ? 0 : (stress.s22 - stress.s11) / sum;
+}
+
+}  // namespace riprap

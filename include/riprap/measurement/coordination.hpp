@@ -1,0 +1,31 @@
+#pragma once
+/// @file
+/// How many neighbours a particle touches.
+
+#include <cstddef>
+
+#include <riprap/particle/particles.hpp>
+
+namespace riprap {
+
+/// Contacts of the free particles. A contact with a driven particle counts for one side only.
+struct Coordination {
+  double contacts_per_particle = 0;  ///< M / N, every contact counted once: gamma of eq. 8
+  double coordination_number = 0;    ///< 2 M / N, the usual mean number of contacts
+};
+
+template <class Contacts>
+[[nodiscard]] Coordination coordination(const Contacts& contacts, const Particles& particles) {
+  std::size_t ends = 0;
+  std::size_t free = 0;
+  for (const Body& body : particles.bodies()) free += body.is_free();
+  contacts.for_each_touching([&](const auto& c) {
+    ends += particles.body(c.a).is_free();
+    ends += particles.body(c.b).is_free();
+  });
+  if (free == 0) return {};
+  const double mean = static_cast<double>(ends) / static_cast<double>(free);
+  return {0.5 * mean, mean};
+}
+
+}  // namespace riprap

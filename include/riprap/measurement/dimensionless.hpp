@@ -1,0 +1,70 @@
+#pragma once
+/// @file
+/// The dimensionless numbers that tell whether a run is quasi-static, stiff and stable.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <riprap/measurement/energy.hpp>
+#include <riprap/particle/particles.hpp>
+
+namespace riprap {
+
+/// Inertial number I = rate d sqrt(density / pressure) [-]; quasi-static below about 1e-3.
+[[nodiscard]] inline double inertial_number(double strain_rate, double diameter, double density,
+                                            double pressure) {
+  return strain_rate * diameter * std::sqrt(density / pressure);
+}
+
+/// Stiffness level kappa = pressure * thickness / normal stiffness [-]: about the overlap of
+/// neighbours over their size.
+[[nodiscard]] inline double stiffness_level(double pressure, double thickness,
+                                            double normal_stiffness) {
+  return pressure * thickness / normal_stiffness;
+}
+
+/// Means over the contacts and free bodies of one state.
+struct StateNumbers {
+  std::size_t contacts = 0;
+  double mean_normal_force = 0;  ///< [N]
+  double unbalanced_force = 0;   ///< mean resultant on free bodies over mean contact force [-]
+  double mean_overlap = 0;       ///< mean depth [m]
+  double largest_overlap = 0;    ///< [m]
+  double kinetic_energy = 0;     ///< of free bodies [J]
+  double stored_energy = 0;      ///< in the contacts [J]
+
+  [[nodiscard]] double kinetic_ratio() const {
+    return stored_energy > 0 ? kinetic_energy / stored_energy : 0;
+  }
+};
+
+template <class Contacts>
+[[nodiscard]] StateNumbers state_numbers(const Contacts& contacts, const Particles& particles) {
+  StateNumbers n;
+  double force = 0;
+  contacts.for_each_touching([&](const auto& c) {
+    ++n.contacts;
+    n.mean_normal_force += c.force.normal;
+    force += c.force_on_b().norm();
+    n.mean_overlap += c.geometry.depth;
+    n.largest_overlap = std::max(n.largest_overlap, c.geometry.depth);
+  });
+  std::size_t free = 0;
+  double resultant = 0;
+  for (const Body& body : particles.bodies()) {
+    if (!body.is_free()) continue;
+    ++free;
+    resultant += body.contact.force.norm();
+  }
+  n.kinetic_energy = kinetic_energy(particles);
+  n.stored_energy = stored_energy(contacts);
+  if (n.contacts == 0 || free == 0) return n;
+  const auto count = static_cast<double>(n.contacts);
+  n.mean_normal_force /= count;
+  n.mean_overlap /= count;
+  n.unbalanced_force = force > 0 ? resultant / static_cast<double>(free) / (force / count) : 0;
+  return n;
+}
+
+}  // namespace riprap

@@ -1,0 +1,135 @@
+#pragma once
+/// @file
+/// Where the work of the boundary goes, term by term.
+
+#include <riprap/measurement/energy.hpp>
+#include <riprap/particle/particles.hpp>
+
+namespace riprap {
+
+/// Energy since the ledger was opened [J]:
+/// boundary_work + body_force_work = kinetic + stored + slip + dashpot + damping + breakage
+///                                   + law_residual + unclosed.
+struct EnergyTerms {
+  double boundary_work = 0;    ///< done by driven bodies
+  double body_force_work = 0;  ///< done by the uniform body force
+  double kinetic = 0;          ///< change of kinetic energy of the free bodies
+  double stored = 0;           ///< change of energy stored in the contacts
+  double slip = 0;             ///< lost in sliding
+  double dashpot = 0;          ///< lost in contact dashpots
+  double damping = 0;          ///< taken out by damping
+  double breakage = 0;         ///< kinetic and stored energy that vanished when particles split
+  double law_residual = 0;     ///< work of the contacts that the law's own energy does not explain
+
+  /// What the terms leave over: an error of the bookkeeping or of the integrator.
+  [[nodiscard]] double unclosed() const {
+    return boundary_work + body_force_work - kinetic - stored - slip - dashpot - damping -
+           breakage - law_residual;
+  }
+};
+
+/// An observer that keeps the ledger. Contact work is the trapezoid sum, contact by contact, of the
+/// forces before and after each step over the motion in between; it is independent of the work that
+/// the simulation books body by body, so that a force without its opposite, a wrong lever arm or an
+/// unbooked loss shows up in `unclosed`.
+class EnergyLedger {
+ public:
+  /// Starts anew from the present state.
+  template <class Sim>
+  void open(const Sim& sim) {
+    terms_ = {};
+    start_ = totals(sim);
+    stored_ = start_.stored;
+    slip_ = start_.slip;
+    dashpot_ = start_.dashpot;
+    is_open_ = true;
+  }
+
+  template <class Sim>
+  void before_forces(const Sim& sim) {
+    if (is_open_) contact_work_ = 0.5 * contact_power(sim) * sim.time_step();
+  }
+
+  template <class Sim>
+  void after_forces(const Sim& sim) {
+    if (!is_open_) return;
+    contact_work_ += 0.5 * contact_power(sim) * sim.time_step();
+    const double stored = stored_energy(sim.contacts());
+    const double slip = sim.contacts().slipped();
+    const double dashpot = sim.contacts().damped();
+    terms_.law_residual -=
+        contact_work_ + (stored - stored_) + (slip - slip_) + (dashpot - dashpot_);
+    stored_ = stored;
+    slip_ = slip;
+    dashpot_ = dashpot;
+  }
+
+  template <class Sim>
+  void before_splits(const Sim& sim) {
+    if (is_open_) before_split_ = stored_ + kinetic_energy(sim.particles());
+  }
+
+  template <class Sim>
+  void after_splits(const Sim& sim) {
+    if (!is_open_) return;
+    stored_ = stored_energy(sim.contacts());
+    slip_ = sim.contacts().slipped();
+    terms_.breakage += before_split_ - stored_ - kinetic_energy(sim.particles());
+  }
+
+  /// The terms as of now.
+  template <class Sim>
+  [[nodiscard]] EnergyTerms terms(const Sim& sim) const {
+    EnergyTerms t = terms_;
+    const Totals now = totals(sim);
+    t.boundary_work = now.boundary - start_.boundary;
+    t.body_force_work = now.body_force - start_.body_force;
+    t.damping = now.damping - start_.damping;
+    t.kinetic = now.kinetic - start_.kinetic;
+    t.stored = now.stored - start_.stored;
+    t.slip = now.slip - start_.slip;
+    t.dashpot = now.dashpot - start_.dashpot;
+    return t;
+  }
+
+ private:
+  struct Totals {
+    double boundary = 0;
+    double body_force = 0;
+    double damping = 0;
+    double kinetic = 0;
+    double stored = 0;
+    double slip = 0;
+    double dashpot = 0;
+  };
+
+  template <class Sim>
+  [[nodiscard]] static Totals totals(const Sim& sim) {
+    return {sim.work().boundary,  sim.work().body_force, sim.work().damping,
+            kinetic_energy(sim.particles()), stored_energy(sim.contacts()),    sim.contacts().slipped(),
+            sim.contacts().damped()};
+  }
+
+  // Power of all contact forces on both bodies of each contact [W].
+  template <class Sim>
+  [[nodiscard]] static double contact_power(const Sim& sim) {
+    double sum = 0;
+    sim.contacts().for_each_touching([&](const auto& c) {
+      const Vec2 relative = sim.particles().body(c.b).velocity_at(c.arm_b) -
+                            sim.particles().body(c.a).velocity_at(c.arm_a);
+      sum += c.force_on_b().dot(relative);
+    });
+    return sum;
+  }
+
+  EnergyTerms terms_;
+  Totals start_;
+  double stored_ = 0;
+  double slip_ = 0;
+  double dashpot_ = 0;
+  double contact_work_ = 0;
+  double before_split_ = 0;
+  bool is_open_ = false;
+};
+
+}  // namespace riprap

@@ -1,0 +1,121 @@
+#pragma once
+/// @file
+/// Anisotropy of contact normals, contact forces and branch vectors: eqs 9 to 11 of the paper.
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include <riprap/core/vec2.hpp>
+
+namespace riprap {
+
+/// One contact as fabric statistics see it.
+struct ContactSample {
+  Vec2 normal{1, 0};            ///< from a to b
+  double normal_force = 0;      ///< [N]
+  double tangential_force = 0;  ///< on b, along the normal turned by +90 degrees [N]
+  Vec2 branch{1, 0};            ///< from the centroid of a to that of b [m]
+};
+
+template <class Contacts>
+[[nodiscard]] std::vector<ContactSample> contact_samples(const Contacts& contacts) {
+  std::vector<ContactSample> samples;
+  contacts.for_each_touching([&](const auto& c) {
+    samples.push_back({c.geometry.normal, c.force.normal, c.force.tangential, c.branch()});
+  });
+  return samples;
+}
+
+/// Second-order Fourier coefficient of a distribution over directions and its major direction.
+struct Anisotropy {
+  double coefficient = 0;  ///< [-], >= 0
+  double direction = 0;    ///< [rad], in (-pi/2, pi/2]
+
+  /// The coefficient as seen from another direction: coefficient * cos 2(direction - axis).
+  [[nodiscard]] double along(double axis) const {
+    return coefficient * std::cos(2 * (direction - axis));
+  }
+};
+
+/// The Fourier description of an assembly's contacts:
+///   E(theta)   = 1/(2 pi) (1 + a cos 2(theta - theta_0))                        eq. 9
+///   f_n(theta) = f_0 (1 + a_n cos 2(theta - theta_f))                           eq. 10
+///   f_t(theta) = -f_0 a_t sin 2(theta - theta_t)                                eq. 11
+/// and likewise for the branch vector's parts along and across the normal, with l_0, b_n, b_t.
+struct Fabric {
+  Anisotropy normals;             ///< a, theta_0
+  Anisotropy normal_forces;       ///< a_n, theta_f
+  Anisotropy tangential_forces;   ///< a_t, theta_t
+  Anisotropy normal_branches;     ///< b_n
+  Anisotropy tangential_branches; ///< b_t
+  double mean_normal_force = 0;   ///< f_0 [N], mean over orientations, not over contacts
+  double mean_branch = 0;         ///< l_0 [m], likewise
+};
+
+namespace internal {
+
+/// Symmetric traceless part (xx - yy) / 2 and xy of a second-order moment.
+struct Deviator {
+  double half_difference = 0;
+  double shear = 0;
+  void add(double weight, const Vec2& u, const Vec2& v) {
+    half_difference += 0.5 * weight * (u.x() * v.x() - u.y() * v.y());
+    shear += 0.5 * weight * (u.x() * v.y() + u.y() * v.x());
+  }
+  /// The moment of (1 + c cos 2(theta - theta_c)) n n has a deviator of radius c / 4.
+  [[nodiscard]] Anisotropy anisotropy(double total) const {
+    if (total == 0) return {};
+    const double radius = std::hypot(half_difference, shear);
+    return {4 * radius / total, radius == 0 ? 0 : 0.5 * std::atan2(shear, half_difference)};
+  }
+};
+
+}  // namespace internal
+
+/// Second-order moments give the coefficients, without bins. Forces and branches are averaged over
+/// orientations: each contact is weighted by 1 / (1 + a cos 2(theta - theta_0)), for a plain average
+/// over contacts biases a_n.
+[[nodiscard]] inline Fabric fabric(std::span<const ContactSample> samples) {
+  Fabric result;
+  internal::Deviator normals;
+  for (const ContactSample& s : samples) normals.add(1, s.normal, s.normal);
+  result.normals = normals.anisotropy(static_cast<double>(samples.size()));
+
+  const double a = result.normals.coefficient;
+  const Vec2 major{std::cos(result.normals.direction), std::sin(result.normals.direction)};
+  double weights = 0;
+  double force = 0;
+  double branch = 0;
+  internal::Deviator normal_force;
+  internal::Deviator tangential_force;
+  internal::Deviator normal_branch;
+  internal::Deviator tangential_branch;
+  for (const ContactSample& s : samples) {
+    const double along = major.dot(s.normal);
+    const double density = 1 + a * (2 * along * along - 1);
+    // Only a fabric with no contact in some direction (a >= 1) has such samples; they carry none.
+    if (density <= 0) continue;
+    const double w = 1 / density;
+    const Vec2 tangent = perpendicular(s.normal);
+    const double l_n = s.branch.dot(s.normal);
+    const double l_t = s.branch.dot(tangent);
+    weights += w;
+    force += w * s.normal_force;
+    branch += w * l_n;
+    normal_force.add(w * s.normal_force, s.normal, s.normal);
+    tangential_force.add(w * s.tangential_force, tangent, s.normal);
+    normal_branch.add(w * l_n, s.normal, s.normal);
+    tangential_branch.add(w * l_t, tangent, s.normal);
+  }
+  if (weights == 0) return result;
+  result.mean_normal_force = force / weights;
+  result.mean_branch = branch / weights;
+  result.normal_forces = normal_force.anisotropy(force);
+  result.tangential_forces = tangential_force.anisotropy(force);
+  result.normal_branches = normal_branch.anisotropy(branch);
+  result.tangential_branches = tangential_branch.anisotropy(branch);
+  return result;
+}
+
+}  // namespace riprap

@@ -1,0 +1,119 @@
+#pragma once
+/// @file
+/// The region inside the ring of boundary particles: its area, how much of it is rock, and who has
+/// left it.
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <riprap/geometry/cut.hpp>
+#include <riprap/geometry/polygon_properties.hpp>
+#include <riprap/particle/particles.hpp>
+
+namespace riprap {
+
+/// The polygon through the centroids of the boundary particles, in order of their direction from
+/// the origin. It need not be convex.
+class BoundaryPolygon {
+ public:
+  explicit BoundaryPolygon(const Particles& particles) {
+    for (BodyIndex i = 0; i < particles.size(); ++i)
+      if (particles.body(i).motion == Motion::strain_field) members_.push_back(i);
+    std::sort(members_.begin(), members_.end(), [&](BodyIndex i, BodyIndex j) {
+      const Vec2& p = particles.body(i).position;
+      const Vec2& q = particles.body(j).position;
+      return std::atan2(p.y(), p.x()) < std::atan2(q.y(), q.x());
+    });
+  }
+
+  [[nodiscard]] const std::vector<BodyIndex>& members() const { return members_; }
+
+  [[nodiscard]] std::vector<Vec2> vertices(const Particles& particles) const {
+    std::vector<Vec2> out;
+    out.reserve(members_.size());
+    for (const BodyIndex i : members_) out.push_back(particles.body(i).position);
+    return out;
+  }
+
+  /// Area of the assembly [m^2].
+  [[nodiscard]] double area(const Particles& particles) const {
+    return area_properties(vertices(particles)).area;
+  }
+
+  /// Half the extents along axes 1 and 2 [m].
+  [[nodiscard]] Vec2 semi_axes(const Particles& particles) const {
+    Vec2 widest{0, 0};
+    for (const BodyIndex i : members_)
+      widest = widest.cwiseMax(particles.body(i).position.cwiseAbs());
+    return widest;
+  }
+
+  /// Area of rock inside [m^2]: all free particles, and of each boundary particle the part between
+  /// the two sides of the polygon that meet at its centroid.
+  [[nodiscard]] double solid_area(const Particles& particles) const {
+    double sum = 0;
+    for (BodyIndex i = 0; i < particles.size(); ++i)
+      if (particles.body(i).is_free()) sum += particles.shape(i).area;
+    const std::vector<Vec2> ring = vertices(particles);
+    const std::size_t n = ring.size();
+    for (std::size_t k = 0; k < n; ++k)
+      sum += area_in_wedge(particles.ring(members_[k]), ring[k] - ring[(k + n - 1) % n],
+                           ring[(k + 1) % n] - ring[k], ring[k]);
+    return sum;
+  }
+
+  /// Free particles whose centroid lies outside.
+  [[nodiscard]] std::size_t lost(const Particles& particles) const {
+    const std::vector<Vec2> ring = vertices(particles);
+    std::size_t count = 0;
+    for (const Body& body : particles.bodies())
+      count += body.is_free() && !contains(ring, body.position);
+    return count;
+  }
+
+ private:
+  // Part of a convex ring to the left of both sides (a reflex corner: of either).
+  [[nodiscard]] static double area_in_wedge(Ring ring, const Vec2& side_in, const Vec2& side_out,
+                                            const Vec2& corner) {
+    const bool reflex = cross(side_in, side_out) < 0;
+    const double sign = reflex ? -1 : 1;
+    // For a reflex corner the part outside is the one that two half-planes bound.
+    std::vector<Vec2> part(ring.begin(), ring.end());
+    for (const Vec2& side : {side_in, side_out}) {
+      const Line line{corner, sign * side.normalized()};
+      if (const auto parts = cut(part, line)) {
+        part = parts->left;
+      } else if (line.left_distance(area_properties(part).centroid) < 0) {
+        part.clear();
+        break;
+      }
+    }
+    const double bounded = area_properties(part).area;
+    return reflex ? area_properties(ring).area - bounded : bounded;
+  }
+
+  [[nodiscard]] static bool contains(const std::vector<Vec2>& ring, const Vec2& x) {
+    bool inside = false;
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+      const Vec2& p = ring[i];
+      const Vec2& q = ring[j];
+      if ((p.y() > x.y()) == (q.y() > x.y())) continue;
+      if (x.x() < p.x() + (q.x() - p.x()) * (x.y() - p.y()) / (q.y() - p.y())) inside = !inside;
+    }
+    return inside;
+  }
+
+  std::vector<BodyIndex> members_;
+};
+
+/// Pores over the whole [-]. Rock counted twice where particles overlap is taken off.
+template <class Contacts>
+[[nodiscard]] double porosity(const BoundaryPolygon& boundary, const Particles& particles,
+                              const Contacts& contacts) {
+  double rock = boundary.solid_area(particles);
+  contacts.for_each_touching([&rock](const auto& c) { rock -= c.geometry.area; });
+  return 1 - rock / boundary.area(particles);
+}
+
+}  // namespace riprap
