@@ -20,7 +20,7 @@ struct BiaxialTest {
   double record_every = 0.0025;       ///< axial strain between records [-]
 
   double jam_pressure = 2e5;          ///< mean stress at which a slow sample counts as jammed [Pa]
-  double jam_kinetic_ratio = 0.1;     ///< kinetic over stored energy below which it counts as slow
+  double jam_kinetic_ratio = 0.04;    ///< kinetic over stored energy below which it counts as slow
   double compaction_inertial_number = 2e-3;  ///< of compaction, at the jam pressure
   double rest_unbalanced_force = 1e-3;       ///< that ends relaxation
   double hydrostatic_tolerance = 0.01;       ///< on both normal stresses
