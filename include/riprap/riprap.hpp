@@ -10,6 +10,8 @@
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/experiment/curve.hpp>
 #include <riprap/geometry/adapt/boost.hpp>
+#include <riprap/output/csv.hpp>
+#include <riprap/output/progress.hpp>
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
 #include <riprap/stress/plane_state/plane_strain.hpp>

@@ -80,6 +80,7 @@ class BiaxialRun {
     const auto begun = std::chrono::steady_clock::now();
     auto& outcome = result_.stages[static_cast<std::size_t>(stage)];
     outcome.reached_target = program();
+    view_.reached_target = outcome.reached_target;
     outcome.steps = sim_.steps() - first_step;
     outcome.wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
@@ -88,9 +89,15 @@ class BiaxialRun {
   }
 
   void step() {
+    const std::size_t breaks = sim_.breaks().size();
     std::apply([&](auto&... o) { sim_.step(o...); }, observers_);
     view_.stretch -= sim_.time_step() * view_.rate.cwiseProduct(view_.stretch);
     view_.area = first_area_ * view_.stretch.x() * view_.stretch.y();
+    for (std::size_t i = breaks; i < sim_.breaks().size(); ++i)
+      tell([&](auto& o) {
+        if constexpr (requires { o.record_break(view_, sim_.breaks()[i]); })
+          o.record_break(view_, sim_.breaks()[i]);
+      });
   }
   void set_rate(const Vec2& rate) {
     view_.rate = rate;

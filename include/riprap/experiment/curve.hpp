@@ -14,6 +14,7 @@
 #include <riprap/measurement/energy_ledger.hpp>
 #include <riprap/measurement/fabric.hpp>
 #include <riprap/measurement/stress_force_fabric.hpp>
+#include <riprap/simulation/break_event.hpp>
 
 namespace riprap {
 
@@ -52,10 +53,18 @@ struct CurvePoint {
   static constexpr double axis_2 = 0.5 * std::numbers::pi;
 };
 
+/// A break and where in the test it happened.
+struct BiaxialBreak {
+  Stage stage = Stage::shear;
+  double axial_strain = 0;  ///< since the start of the stage
+  BreakEvent event;
+};
+
 /// An observer of BiaxialTest that measures at each record and keeps the energy ledger of shear.
 class Curve {
  public:
   [[nodiscard]] const std::vector<CurvePoint>& points() const { return points_; }
+  [[nodiscard]] const std::vector<BiaxialBreak>& breaks() const { return breaks_; }
   [[nodiscard]] std::size_t breakages_before_shear() const { return breakages_before_shear_; }
 
   /// The point with the largest sin phi; the curve must not be empty.
@@ -74,6 +83,10 @@ class Curve {
   template <class Sim>
   void record(const BiaxialView<Sim>& view) {
     points_.push_back(measure(view));
+  }
+  template <class Sim>
+  void record_break(const BiaxialView<Sim>& view, const BreakEvent& event) {
+    breaks_.push_back({view.stage, view.axial_strain(), event});
   }
 
   template <class Sim>
@@ -121,6 +134,7 @@ class Curve {
   }
 
   std::vector<CurvePoint> points_;
+  std::vector<BiaxialBreak> breaks_;
   EnergyLedger ledger_;
   std::size_t breakages_before_shear_ = 0;
 };

@@ -20,14 +20,15 @@ enum class Stage { compaction, relaxation, hydrostatic, shear };
   return "";
 }
 
-/// The state of a biaxial test, handed to observers' hooks `begin_stage`, `progress`, `record` and
-/// `end_stage`.
+/// The state of a biaxial test, handed to observers' hooks: `begin_stage(view)`, `progress(view)`,
+/// `record(view)`, `record_break(view, event)` and `end_stage(view)`.
 template <class Sim>
 struct BiaxialView {
   const Sim& sim;
   const BoundaryPolygon& boundary;
   Stage stage = Stage::compaction;
   double done = 0;               ///< rough share of the stage that is done, in [0, 1]
+  bool reached_target = false;   ///< at end_stage; false: the cap on its steps ended the stage
   double confining_pressure = 0; ///< [Pa]
   double mean_diameter = 0;      ///< of the circles of equal area, intact particles [m]
   Vec2 stretch{1, 1};            ///< extent over that at the start of the stage, axes 1 and 2

@@ -1,0 +1,74 @@
+// Command line of the biaxial example.
+
+#include "options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+
+namespace {
+
+// "3-5" or "4".
+void read_vertices(const std::string& text, Options& options) {
+  const std::size_t dash = text.find('-');
+  try {
+    std::size_t used = 0;
+    const unsigned long low = std::stoul(text, &used);
+    if (used != std::min(dash, text.size())) throw std::invalid_argument(text);
+    unsigned long high = low;
+    if (dash != std::string::npos) {
+      high = std::stoul(text.substr(dash + 1), &used);
+      if (used != text.size() - dash - 1) throw std::invalid_argument(text);
+    }
+    options.fewest_vertices = static_cast<unsigned>(low);
+    options.most_vertices = static_cast<unsigned>(high);
+  } catch (const std::logic_error&) {
+    throw CLI::ValidationError("--vertices", "'" + text + "' is neither a count such as 4 nor a "
+                                             "range such as 3-5");
+  }
+}
+
+}  // namespace
+
+Options read_options(int argc, char** argv) {
+  Options o;
+  std::string breakage = "on";
+  std::string vertices = "3-5";
+  CLI::App app{"Biaxial test on a circular assembly of random sharp polygons: compaction, relaxation,\n"
+               "hydrostatic pressure, shear; curves, pictures and a summary are written to a folder."};
+  app.get_formatter()->column_width(42);
+  app.option_defaults()->always_capture_default();
+  app.add_option("--particles", o.particles, "particles, those of the boundary included");
+  app.add_option("--pressure", o.pressure, "confining pressure [Pa]");
+  app.add_option("--strain", o.strain, "axial strain at the end [-]");
+  app.add_option("--seed", o.seed, "seed of the assembly; same seed, same bytes");
+  app.add_option("--breakage", breakage, "may particles break?")
+      ->check(CLI::IsMember({"on", "off"}));
+  app.add_option("--criterion", o.criterion, "failure of an element")
+      ->check(CLI::IsMember({"hoek-brown", "mohr-coulomb"}));
+  app.add_option("--line-fit", o.line_fit, "crack line: weighted X, Y, or the paper's choice")
+      ->check(CLI::IsMember({"xy", "x", "y"}));
+  app.add_option("--support", o.support, "of a particle in its stress analysis")
+      ->check(CLI::IsMember({"inertia-relief", "pinned"}));
+  app.add_option("--mean-diameter", o.mean_diameter, "of the circles of equal area [m]");
+  app.add_option("--thickness", o.thickness, "out of plane [m]");
+  app.add_option("--vertices", vertices, "of a polygon: a count or a range [-]");
+  app.add_option("--mesh-triangles", o.mesh_triangles, "per particle [-]");
+  app.add_option("--ratf", o.ratf, "share of failed elements that breaks a particle [-]");
+  app.add_option("--check-every", o.check_every, "steps between stress checks [-]");
+  app.add_option("--inertial-number", o.inertial_number, "of shear, sets its rate [-]");
+  app.add_option("--plane", o.plane, "plane stress or plane strain")
+      ->check(CLI::IsMember({"stress", "strain"}));
+  app.add_option("--minimum-piece-area", o.minimum_piece_area,
+                 "over the mean area of the intact particles [-]");
+  app.add_option("--maximum-piece-aspect", o.maximum_piece_aspect,
+                 "of a piece, diameter over least width [-]");
+  app.add_option("--out", o.out, "folder for the results");
+  try {
+    app.parse(argc, argv);
+    read_vertices(vertices, o);
+  } catch (const CLI::ParseError& error) {
+    std::exit(app.exit(error));
+  }
+  o.breakage = breakage == "on";
+  return o;
+}

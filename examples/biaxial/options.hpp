@@ -1,0 +1,47 @@
+#pragma once
+// The options of the biaxial example and the policies they stand for.
+
+#include <cstdint>
+#include <string>
+
+#include <riprap/breakage/criterion/criterion_choice.hpp>
+#include <riprap/breakage/line_fit/line_fit_choice.hpp>
+#include <riprap/riprap.hpp>
+#include <riprap/stress/plane_state/plane_state_choice.hpp>
+
+struct Options {
+  unsigned particles = 500;
+  double pressure = 2e6;
+  double strain = 0.2;
+  std::uint64_t seed = 1;
+  bool breakage = true;
+  std::string criterion = "hoek-brown";
+  std::string line_fit = "xy";
+  std::string support = "inertia-relief";
+  double mean_diameter = 0.016;
+  double thickness = 0.016;
+  unsigned fewest_vertices = 3;
+  unsigned most_vertices = 5;
+  unsigned mesh_triangles = 100;
+  double ratf = 0.4;
+  unsigned check_every = 1;
+  double inertial_number = 1e-3;
+  std::string plane = "stress";
+  double minimum_piece_area = 0.08;
+  double maximum_piece_aspect = 3;
+  std::string out = "biaxial-out";
+};
+
+// Fills the options from the command line; exits on --help and on unknown or malformed options.
+Options read_options(int argc, char** argv);
+
+using AnyCriterion = riprap::CriterionChoice<riprap::HoekBrown, riprap::MohrCoulomb>;
+using AnyLineFit =
+    riprap::LineFitChoice<riprap::WeightedXY, riprap::WeightedX, riprap::WeightedY>;
+using AnyPlane = riprap::PlaneStateChoice<riprap::PlaneStress, riprap::PlaneStrain>;
+
+// What is chosen at run time goes through one more model of its role; what is composed at compile
+// time (contact law, integrator, support, breakage) makes three programs, one source file each.
+void run_with_inertia_relief(const Options& options);
+void run_with_pinned_contacts(const Options& options);
+void run_without_breakage(const Options& options);

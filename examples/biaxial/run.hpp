@@ -1,0 +1,110 @@
+#pragma once
+// One biaxial test with any model, and everything it leaves in the output folder.
+
+#include <filesystem>
+#include <string>
+
+#include <riprap/output/assembly_picture.hpp>
+#include <riprap/output/curve_charts.hpp>
+#include <riprap/output/force_chain_picture.hpp>
+
+#include "options.hpp"
+#include "summary.hpp"
+
+inline AnyCriterion chosen_criterion(const Options& o) {
+  if (o.criterion == "mohr-coulomb") return {riprap::MohrCoulomb{}};
+  return {riprap::HoekBrown{}};
+}
+
+inline AnyLineFit chosen_line_fit(const Options& o) {
+  if (o.line_fit == "x") return {riprap::WeightedX{}};
+  if (o.line_fit == "y") return {riprap::WeightedY{}};
+  return {riprap::WeightedXY{}};
+}
+
+inline AnyPlane chosen_plane(const Options& o) {
+  if (o.plane == "strain") return {riprap::PlaneStrain{}};
+  return {riprap::PlaneStress{}};
+}
+
+// The model that both breakable programs share; they differ in the support.
+inline auto breakable_model(const Options& o) {
+  return riprap::Model{}
+      .contact(riprap::LinearSpringCoulomb{})
+      .integrator(riprap::SymplecticEuler{})
+      .criterion(chosen_criterion(o))
+      .line_fit(chosen_line_fit(o))
+      .plane_state(chosen_plane(o))
+      .mesher(riprap::UniformMesher{.triangles = o.mesh_triangles})
+      .trigger(riprap::FailedElementRatio{.critical = o.ratf})
+      .splitter(riprap::StraightCut{.minimum_area = o.minimum_piece_area,
+                                    .maximum_aspect = o.maximum_piece_aspect})
+      .check_every(o.check_every);
+}
+
+// An observer that draws the assembly and its forces at the start and the end of shear.
+struct Pictures {
+  std::filesystem::path folder;
+
+  template <class Sim>
+  void begin_stage(const riprap::BiaxialView<Sim>& view) const {
+    if (view.stage == riprap::Stage::shear) draw(view, "before", "at the start of shear");
+  }
+  template <class Sim>
+  void end_stage(const riprap::BiaxialView<Sim>& view) const {
+    if (view.stage == riprap::Stage::shear)
+      draw(view, "after",
+           "at " + riprap::to_text(std::round(1000 * view.axial_strain()) / 10) + " % axial strain");
+  }
+
+ private:
+  template <class Sim>
+  void draw(const riprap::BiaxialView<Sim>& view, const std::string& name,
+            const std::string& when) const {
+    const auto& particles = view.sim.particles();
+    const std::string pressure = riprap::to_text(view.confining_pressure / 1e6) + " MPa";
+    const std::vector<double> ratios =
+        Sim::breakable ? view.sim.failed_ratios() : std::vector<double>{};
+    riprap::assembly_picture(particles, ratios, "Assembly " + when + ", " + pressure)
+        .save(folder / ("assembly_" + name + ".svg"));
+    riprap::force_chain_picture(particles, view.sim.contacts(),
+                                "Normal contact forces " + when + ", " + pressure)
+        .save(folder / ("forces_" + name + ".svg"));
+  }
+};
+
+template <class ModelType>
+void run(const Options& o, ModelType model) {
+  using namespace riprap;
+  const std::filesystem::path folder = o.out;
+  std::filesystem::create_directories(folder);
+  Simulation sim{std::move(model),
+                 random_assembly({.count = o.particles,
+                                  .mean_diameter = o.mean_diameter,
+                                  .thickness = o.thickness,
+                                  .seed = o.seed,
+                                  .shape = {.fewest_vertices = o.fewest_vertices,
+                                            .most_vertices = o.most_vertices}}),
+                 Rock{}};
+  const BiaxialTest test{.confining_pressure = o.pressure,
+                         .axial_strain = o.strain,
+                         .inertial_number = o.inertial_number};
+  Curve curve;
+  RangeCheck ranges;
+  const auto write_records = [&] {
+    write_csv(folder / "curve.csv", curve);
+    write_file(folder / "energy.csv", energy_csv(curve));
+    write_file(folder / "breakages.csv", breakages_csv(curve));
+    if (!curve.points().empty()) chart_sheet(curve_charts(curve)).save(folder / "curves.svg");
+  };
+  BiaxialResult result;
+  try {
+    result = test.run(sim, curve, ranges, Pictures{folder}, Progress{});
+  } catch (const SimulationError&) {
+    write_records();  // what was computed is kept
+    throw;
+  }
+  write_records();
+  write_file(folder / "summary.json", summary(o, sim, test, result, curve, ranges).dump(2) + "\n");
+  print_summary(curve, folder.string());
+}

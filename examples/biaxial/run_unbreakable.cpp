@@ -1,0 +1,7 @@
+// Particles that never break: no stress analysis in the program.
+
+#include "run.hpp"
+
+void run_without_breakage(const Options& options) {
+  run(options, breakable_model(options).criterion(riprap::NeverFails{}));
+}

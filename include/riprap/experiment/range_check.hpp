@@ -1,0 +1,72 @@
+#pragma once
+/// @file
+/// Says when a dimensionless number leaves the range in which a biaxial test means something.
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <riprap/core/errors.hpp>
+#include <riprap/experiment/stage.hpp>
+#include <riprap/measurement/average_stress.hpp>
+#include <riprap/measurement/dimensionless.hpp>
+
+namespace riprap {
+
+/// Upper ends of the ranges.
+struct Limits {
+  double inertial_number = 1e-3;   ///< above: not quasi-static
+  double overlap_ratio = 0.05;     ///< mean overlap over mean diameter; above: particles too soft
+  double kinetic_ratio = 0.02;     ///< kinetic over stored energy, after 1 % strain
+  double unbalanced_force = 0.15;  ///< mean resultant over mean contact force, after 1 % strain
+  double time_step_ratio = 0.25;   ///< dt over sqrt(m / k) of the lightest body
+};
+
+/// An observer of BiaxialTest that collects a warning for each number the first time it is out of
+/// range, and for each stage that ended at its cap of steps.
+class RangeCheck {
+ public:
+  explicit RangeCheck(Limits limits = {}) : limits_(limits) {}
+
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+  template <class Sim>
+  void record(const BiaxialView<Sim>& view) {
+    const Particles& particles = view.sim.particles();
+    const auto& contacts = view.sim.contacts();
+    const Stress2 stress = average_stress(contacts, view.area, particles.thickness());
+    const StateNumbers state = state_numbers(contacts, particles);
+    check(view, "inertial number", limits_.inertial_number,
+          inertial_number(view.rate.y(), view.mean_diameter, particles.density(), stress.mean()));
+    check(view, "mean overlap over mean diameter", limits_.overlap_ratio,
+          state.mean_overlap / view.mean_diameter);
+    check(view, "time step over sqrt(m/k)", limits_.time_step_ratio,
+          view.sim.time_step() / std::sqrt(view.sim.smallest_mass() /
+                                           contacts.law().peak_stiffness()));
+    if (view.axial_strain() < 0.01) return;
+    check(view, "kinetic over stored energy", limits_.kinetic_ratio, state.kinetic_ratio());
+    check(view, "unbalanced force", limits_.unbalanced_force, state.unbalanced_force);
+  }
+
+  template <class Sim>
+  void end_stage(const BiaxialView<Sim>& view) {
+    if (!view.reached_target)
+      warnings_.push_back(std::string(to_text(view.stage)) +
+                          ": ended at its cap of steps, target not reached");
+  }
+
+ private:
+  template <class Sim>
+  void check(const BiaxialView<Sim>& view, const std::string& name, double limit, double value) {
+    if (value <= limit || !seen_.insert(name).second) return;
+    warnings_.push_back(name + " = " + to_text(value) + " above " + to_text(limit) + " at strain " +
+                        to_text(view.axial_strain()) + " of " + to_text(view.stage));
+  }
+
+  Limits limits_;
+  std::set<std::string> seen_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace riprap

@@ -1,0 +1,75 @@
+#pragma once
+/// @file
+/// The window through which pictures of an assembly look at it: scale, axes, scale bar.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <riprap/output/svg.hpp>
+#include <riprap/particle/particles.hpp>
+
+namespace riprap {
+
+/// Maps the plane to a picture of 900 pixels with room for a title above and a legend on the right.
+class AssemblyView {
+ public:
+  explicit AssemblyView(const Particles& particles) {
+    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+    Vec2 high = -low;
+    for (BodyIndex i = 0; i < particles.size(); ++i)
+      for (const Vec2& v : particles.ring(i)) {
+        low = low.cwiseMin(v);
+        high = high.cwiseMax(v);
+      }
+    scale_ = extent / (high - low).maxCoeff();
+    centre_ = 0.5 * (low + high);
+    half_ = 0.5 * scale_ * (high - low);
+  }
+
+  [[nodiscard]] Svg canvas() const {
+    return {2 * half_.x() + 2 * margin + legend, 2 * half_.y() + 2 * margin + header};
+  }
+  [[nodiscard]] double scale() const { return scale_; }  ///< pixels per metre
+  [[nodiscard]] double legend_left() const { return 2 * half_.x() + 2 * margin; }
+
+  [[nodiscard]] Vec2 operator()(const Vec2& x) const {
+    const Vec2 d = scale_ * (x - centre_);
+    return {margin + half_.x() + d.x(), header + margin + half_.y() - d.y()};
+  }
+  [[nodiscard]] std::vector<Vec2> operator()(Ring ring) const {
+    std::vector<Vec2> out;
+    for (const Vec2& v : ring) out.push_back((*this)(v));
+    return out;
+  }
+
+  /// Title, the two axes and a scale bar of a round length.
+  void annotate(Svg& svg, const std::string& title) const {
+    svg.text({margin, 28}, title, "start", 17);
+    constexpr auto ink = "stroke=\"#222\" stroke-width=\"1.5\"";
+    const Vec2 origin{legend_left() + 14, svg.height() - 60};
+    svg.line(origin, origin + Vec2{40, 0}, ink);
+    svg.line(origin, origin - Vec2{0, 40}, ink);
+    svg.text(origin + Vec2{46, 5}, "axis 1");
+    svg.text(origin - Vec2{6, 46}, "axis 2");
+    const double metres = std::pow(10, std::floor(std::log10(0.25 * extent / scale_)));
+    const double length = metres * scale_;
+    const Vec2 bar{legend_left() + 14, svg.height() - 22};
+    svg.line(bar, bar + Vec2{length, 0}, "stroke=\"#222\" stroke-width=\"3\"");
+    svg.text(bar + Vec2{length + 8, 5}, to_text(std::round(1e6 * metres) / 1e3) + " mm");
+  }
+
+ private:
+  static constexpr double extent = 900;  // pixels of the larger side
+  static constexpr double margin = 20;
+  static constexpr double header = 30;
+  static constexpr double legend = 190;
+
+  double scale_ = 1;
+  Vec2 centre_{0, 0};
+  Vec2 half_{0, 0};
+};
+
+}  // namespace riprap
