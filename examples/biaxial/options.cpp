@@ -72,3 +72,19 @@ Options read_options(int argc, char** argv) {
   o.breakage = breakage == "on";
   return o;
 }
+
+AnyCriterion chosen_criterion(const Options& options) {
+  if (options.criterion == "mohr-coulomb") return {riprap::MohrCoulomb{}};
+  return {riprap::HoekBrown{}};
+}
+
+AnyLineFit chosen_line_fit(const Options& options) {
+  if (options.line_fit == "x") return {riprap::WeightedX{}};
+  if (options.line_fit == "y") return {riprap::WeightedY{}};
+  return {riprap::WeightedXY{}};
+}
+
+AnyPlane chosen_plane(const Options& options) {
+  if (options.plane == "strain") return {riprap::PlaneStrain{}};
+  return {riprap::PlaneStress{}};
+}

@@ -40,8 +40,13 @@ using AnyLineFit =
     riprap::LineFitChoice<riprap::WeightedXY, riprap::WeightedX, riprap::WeightedY>;
 using AnyPlane = riprap::PlaneStateChoice<riprap::PlaneStress, riprap::PlaneStrain>;
 
-// What is chosen at run time goes through one more model of its role; what is composed at compile
-// time (contact law, integrator, support, breakage) makes three programs, one source file each.
+// What is chosen at run time goes through one more model of its role ...
+AnyCriterion chosen_criterion(const Options& options);
+AnyLineFit chosen_line_fit(const Options& options);
+AnyPlane chosen_plane(const Options& options);
+
+// ... what is composed at compile time (contact law, integrator, support, breakage) makes three
+// programs, one source file each.
 void run_with_inertia_relief(const Options& options);
 void run_with_pinned_contacts(const Options& options);
 void run_without_breakage(const Options& options);

@@ -11,22 +11,6 @@
 #include "options.hpp"
 #include "summary.hpp"
 
-inline AnyCriterion chosen_criterion(const Options& o) {
-  if (o.criterion == "mohr-coulomb") return {riprap::MohrCoulomb{}};
-  return {riprap::HoekBrown{}};
-}
-
-inline AnyLineFit chosen_line_fit(const Options& o) {
-  if (o.line_fit == "x") return {riprap::WeightedX{}};
-  if (o.line_fit == "y") return {riprap::WeightedY{}};
-  return {riprap::WeightedXY{}};
-}
-
-inline AnyPlane chosen_plane(const Options& o) {
-  if (o.plane == "strain") return {riprap::PlaneStrain{}};
-  return {riprap::PlaneStress{}};
-}
-
 // The model that both breakable programs share; they differ in the support.
 inline auto breakable_model(const Options& o) {
   return riprap::Model{}

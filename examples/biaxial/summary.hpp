@@ -134,7 +134,7 @@ Json summary(const Options& o, const Sim& sim, const riprap::BiaxialTest& test,
                       {"steps", result.stages[i].steps},
                       {"reached_target", result.stages[i].reached_target},
                       {"wall_s", result.stages[i].wall_seconds}});
-  return {{"riprap", RIPRAP_VERSION_STRING},
+  return {{"riprap", riprap::version},
           {"parameters", parameters_json(o, sim, test)},
           {"numbers", numbers_json(o, sim, result, curve)},
           {"peak", point_json(curve.peak())},

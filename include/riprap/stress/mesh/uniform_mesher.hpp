@@ -93,26 +93,19 @@ struct UniformMesher {
     return depth;
   }
 
-  // Boost.Polygon works on integers. Boundary nodes inside an edge are lifted outwards by a hair, so
-  // that the hull is strictly convex and no triangle lies flat on an edge.
+  // Boost.Polygon works on integers. All points are drawn towards the centroid by a hair that grows
+  // with their distance from it, which bends the edges outwards: the hull is strictly convex, and no
+  // triangle lies flat on an edge or across a corner that is nearly straight.
   [[nodiscard]] static std::vector<boost::polygon::point_data<int>> integer_points(
       Ring ring, const Mesh& mesh) {
-    const double scale = 1e8 / diameter(ring);
+    const double size = diameter(ring);
     std::vector<boost::polygon::point_data<int>> points;
-    const auto push = [&](const Vec2& x) {
+    points.reserve(mesh.nodes.size());
+    for (const Vec2& x : mesh.nodes) {
+      const double scale = 1e9 / size * (1 - 3e-3 * x.dot(x) / (size * size));
       points.emplace_back(static_cast<int>(std::lround(scale * x.x())),
                           static_cast<int>(std::lround(scale * x.y())));
-    };
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Vec2 edge = ring[(k + 1) % ring.size()] - ring[k];
-      const std::uint32_t end =
-          k + 1 < ring.size() ? mesh.corners[k + 1] : mesh.boundary_nodes;
-      for (std::uint32_t i = mesh.corners[k]; i < end; ++i) {
-        const double s = static_cast<double>(i - mesh.corners[k]) / (end - mesh.corners[k]);
-        push(mesh.nodes[i] - (1e-3 * s * (1 - s)) * perpendicular(edge));
-      }
     }
-    for (std::size_t i = mesh.boundary_nodes; i < mesh.nodes.size(); ++i) push(mesh.nodes[i]);
     return points;
   }
 

@@ -1,0 +1,99 @@
+#include <riprap/core/vec2.hpp>
+
+#include <doctest/doctest.h>
+#include <numbers>
+
+using namespace riprap;
+
+namespace {
+constexpr double pi = std::numbers::pi;
+}
+
+static_assert(sizeof(Vec2) == 2 * sizeof(double));
+static_assert(alignof(Vec2) == alignof(double), "packs into records");
+
+TEST_CASE("the cross product is positive counter-clockwise") {
+  CHECK(cross({1, 0}, {0, 1}) == 1);
+  CHECK(cross({0, 1}, {1, 0}) == -1);
+  CHECK(cross({3, 4}, {-5, 2}) == 26);
+  CHECK(cross({3, 4}, {6, 8}) == 0);
+}
+
+TEST_CASE("perpendicular turns by +90 degrees") {
+  const Vec2 v{3, -4};
+  const Vec2 p = perpendicular(v);
+  CHECK(p.x() == 4);
+  CHECK(p.y() == 3);
+  CHECK(cross(v, p) == v.dot(v));
+}
+
+TEST_CASE("vectors mix with those of Eigen") {
+  const Eigen::Vector2d e(1, 2);
+  const Vec2 sum = Vec2{3, 4} + e;
+  CHECK(sum.x() == 4);
+  CHECK(sum.y() == 6);
+}
+
+TEST_CASE("a rotation turns counter-clockwise and its inverse turns back") {
+  const Rotation quarter = Rotation::from_angle(pi / 2);
+  CHECK((quarter * Vec2{1, 0} - Vec2{0, 1}).norm() <= 1e-16);
+  for (const double angle : {-3.0, -1.2, 0.0, 0.4, 2.9}) {
+    const Rotation r = Rotation::from_angle(angle);
+    const Vec2 v{2, -7};
+    const Vec2 turned = r * v;
+    // A few roundings of a length of 7.3.
+    CHECK(std::abs(turned.norm() - v.norm()) <= 4e-15);
+    CHECK((r.inverse_times(turned) - v).norm() <= 4e-15);
+    CHECK(std::atan2(cross(v, turned), v.dot(turned)) == doctest::Approx(angle).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("the angle of a rotation is the one it was made from") {
+  for (const double angle : {-3.1, -0.5, 0.0, 1e-9, 1.5, 3.1})
+    CHECK(std::abs(Rotation::from_angle(angle).angle() - angle) <= 5e-16);
+  CHECK(Rotation{}.angle() == 0);
+}
+
+TEST_CASE("one turn falls short of its angle by turn^3 / 12") {
+  for (const double start : {0.0, 1.1, -2.8})
+    for (const double turn : {0.2, 0.1, 0.05, -0.1}) {
+      const Rotation before = Rotation::from_angle(start);
+      const Rotation after = before.turned(turn);
+      const Vec2 relative = before.inverse_times({after.cosine, after.sine});
+      const double error = turn - std::atan2(relative.y(), relative.x());
+      // Next term of the series of 2 atan(turn / 2), and round-off.
+      CHECK(std::abs(error - turn * turn * turn / 12) <= std::pow(std::abs(turn), 5) / 80 + 1e-15);
+    }
+}
+
+TEST_CASE("a turn and its opposite cancel") {
+  const Rotation start = Rotation::from_angle(0.9);
+  const Rotation back = start.turned(0.3).turned(-0.3);
+  CHECK(std::abs(back.cosine - start.cosine) <= 5e-16);
+  CHECK(std::abs(back.sine - start.sine) <= 5e-16);
+}
+
+TEST_CASE("a million turns keep unit length and the angle") {
+  constexpr int steps = 1000000;
+  for (const double turn : {1e-3, 0.4}) {
+    Rotation r = Rotation::from_angle(0.2);
+    double farthest = 0;
+    for (int i = 0; i < steps; ++i) {
+      r = r.turned(turn);
+      farthest = std::max(farthest, std::abs(std::hypot(r.cosine, r.sine) - 1));
+    }
+    // Round-off of one step: it must not add up.
+    CHECK(farthest <= 5e-16);
+    const double expected = 0.2 + steps * 2 * std::atan(turn / 2);
+    // Four roundings a step at worst, all of one sign; and those of the expected angle itself.
+    const double error = std::remainder(r.angle() - expected, 2 * pi);
+    CHECK(std::abs(error) <= steps * 4.5e-16 + 3e-16 * expected);
+  }
+}
+
+TEST_CASE("one turn brings a stretched rotation back towards unit length") {
+  // Newton's step for 1/sqrt leaves 3/2 of the square of the error.
+  const Rotation stretched{1 + 1e-4, 0};
+  const Rotation r = stretched.turned(0.01);
+  CHECK(std::abs(std::hypot(r.cosine, r.sine) - 1) <= 1.6e-8);
+}
