@@ -54,7 +54,10 @@ class AssemblyView {
     svg.line(origin, origin - Vec2{0, 40}, ink);
     svg.text(origin + Vec2{46, 5}, "axis 1");
     svg.text(origin - Vec2{6, 46}, "axis 2");
-    const double metres = std::pow(10, std::floor(std::log10(0.25 * extent / scale_)));
+    // The longest of 1, 2 or 5 times a power of ten that leaves room for its label.
+    const double room = 0.5 * legend / scale_;
+    const double decade = std::pow(10, std::floor(std::log10(room)));
+    const double metres = decade * (room >= 5 * decade ? 5 : room >= 2 * decade ? 2 : 1);
     const double length = metres * scale_;
     const Vec2 bar{legend_left() + 14, svg.height() - 22};
     svg.line(bar, bar + Vec2{length, 0}, "stroke=\"#222\" stroke-width=\"3\"");

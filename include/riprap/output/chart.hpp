@@ -21,7 +21,7 @@ struct Series {
   bool dashed = false;
 };
 
-/// A chart; the axes cover the data and end on round numbers.
+/// A chart; the axes end on round numbers.
 struct Chart {
   std::string title;
   std::string x_label;
@@ -87,7 +87,8 @@ struct Chart {
     double tick = 10 * decade;
     for (const double step : {5.0, 2.0, 1.0})
       if (step * decade >= raw) tick = step * decade;
-    return {tick * std::floor(low / tick), tick * std::ceil(high / tick), tick};
+    // A hair beyond a tick does not ask for another one.
+    return {tick * std::floor(low / tick + 0.02), tick * std::ceil(high / tick - 0.02), tick};
   }
 
   template <class Place>

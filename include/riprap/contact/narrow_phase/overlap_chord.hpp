@@ -30,7 +30,8 @@ struct OverlapChord {
     const OverlapPolygon common = overlap(a, b, a[0], negligible * size);
     if (common.size == 0) return std::nullopt;
     const AreaProperties properties = area_properties(common.ring());
-    if (properties.area <= negligible * size * size) return std::nullopt;
+    // A corner's overlap shrinks with the square of its depth, so this is a squared length.
+    if (properties.area <= negligible * size * negligible * size) return std::nullopt;
     ContactGeometry contact = chord_contact(a, b, common, size);
     contact.area = properties.area;
     if (contact.chord > 0) {

@@ -1,0 +1,296 @@
+#pragma once
+/// @file
+/// Element stresses the long way: the whole particle assembled and solved. Not part of riprap.hpp: an
+/// independent check on the influence operator, and the baseline that its speed is measured against.
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <riprap/core/errors.hpp>
+#include <riprap/material/rock.hpp>
+#include <riprap/stress/boundary_load.hpp>
+#include <riprap/stress/element/concepts.hpp>
+#include <riprap/stress/element_stress.hpp>
+#include <riprap/stress/mesh/mesh.hpp>
+#include <riprap/stress/plane_state/concepts.hpp>
+
+namespace riprap {
+
+/// Just enough constraints to hold a free particle: node `fixed` in both directions, node `guided`
+/// along the axis that lies more across the line between the two. Balanced loads cause no reactions,
+/// so stress is the same for every choice.
+struct DeterminateSupport {
+  std::uint32_t fixed = 0;
+  std::uint32_t guided = 1;
+
+  /// Two nodes far apart: the best conditioned choice.
+  [[nodiscard]] static DeterminateSupport on_opposite_sides(const Mesh& mesh) {
+    return {0, mesh.boundary_nodes / 2};
+  }
+};
+
+/// Sparse finite elements for one particle. The unknowns, their order of elimination and all memory
+/// of the free case are set up once; `factorise` and `solve_free` then do the work that one check of
+/// a particle costs without an influence operator. Shares no arithmetic with that operator: the
+/// inertia that balances a free particle is integrated by quadrature, triangle by triangle.
+template <Element E, PlaneState P>
+class AssembleAndSolve {
+ public:
+  /// Also factorises.
+  /// @param mesh      anywhere in the plane; its centroid need not be the origin
+  /// @param thickness out of plane [m]
+  AssembleAndSolve(Mesh mesh, const E& element, const P& plane, const Rock& rock,
+                   double thickness, const DeterminateSupport& support)
+      : mesh_(std::move(mesh)), element_(element), elasticity_(plane.elasticity(rock)),
+        density_(rock.density), thickness_(thickness) {
+    require_positive("AssembleAndSolve.thickness", thickness);
+    integrate_mass();
+    number_unknowns(support);
+    build_pattern();
+    factorise();
+  }
+  AssembleAndSolve(const AssembleAndSolve&) = delete;
+  AssembleAndSolve& operator=(const AssembleAndSolve&) = delete;
+
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+
+  /// Assembles the stiffness of the free particle again and factorises it.
+  void factorise() {
+    std::fill_n(stiffness_.valuePtr(), stiffness_.nonZeros(), 0.0);
+    auto slot = slots_.begin();
+    for (std::size_t e = 0; e < mesh_.size(); ++e) {
+      const Matrix6 k = element_stiffness(e);
+      for (int q = 0; q < 6; ++q)
+        for (int p = 0; p < 6; ++p, ++slot)
+          if (*slot >= 0) stiffness_.valuePtr()[*slot] += k(p, q);
+    }
+    cholesky_.factorize(stiffness_);
+    if (cholesky_.info() != Eigen::Success)
+      throw SimulationError("AssembleAndSolve: stiffness of the free particle is not definite");
+  }
+
+  /// Stresses of the free particle: what the loads leave over is balanced by its inertia. Uses the
+  /// last factorisation.
+  void solve_free(std::span<const BoundaryLoad> loads, ElementStress& stress) {
+    forces_.setZero(2 * node_count());
+    add_loads(loads, forces_);
+    subtract_inertia(loads, forces_);
+    for (std::size_t i = 0; i < unknown_of_.size(); ++i)
+      if (unknown_of_[i] >= 0) right_side_[unknown_of_[i]] = forces_[static_cast<Eigen::Index>(i)];
+    solution_ = cholesky_.solve(right_side_);
+    displacements_.setZero(2 * node_count());
+    for (std::size_t i = 0; i < unknown_of_.size(); ++i)
+      if (unknown_of_[i] >= 0)
+        displacements_[static_cast<Eigen::Index>(i)] = solution_[unknown_of_[i]];
+    find_stress(displacements_, stress);
+  }
+
+  /// Stresses while two boundary points are held fast in both directions, by Lagrange multipliers,
+  /// and the loads act without inertia; loads at the pins go straight into them. Returns the forces
+  /// [N] of the two pins on the particle. Sets up everything anew.
+  std::array<Vec2, 2> solve_pinned(std::span<const BoundaryLoad> loads,
+                                   const std::array<BoundaryPoint, 2>& pins,
+                                   ElementStress& stress) const {
+    const double apart = (mesh_.position(pins[0]) - mesh_.position(pins[1])).norm();
+    require_positive("AssembleAndSolve distance of the pins", apart);
+    // Multipliers in units of a stiffness, so that all entries of the matrix are of one size.
+    const double scale = mean_stiffness();
+    const Eigen::Index n = 2 * node_count();
+    Eigen::SparseMatrix<double> matrix(n + 4, n + 4);
+    const auto entries = saddle_point_entries(pins, scale);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(matrix);
+    if (lu.info() != Eigen::Success)
+      throw SimulationError("AssembleAndSolve: stiffness of the pinned particle is singular");
+
+    Eigen::VectorXd right_side = Eigen::VectorXd::Zero(n + 4);
+    add_loads(loads, right_side);
+    const Eigen::VectorXd solution = lu.solve(right_side);
+    find_stress(solution, stress);
+    return {-scale * solution.segment<2>(n), -scale * solution.segment<2>(n + 2)};
+  }
+
+ private:
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  using Triplets = std::vector<Eigen::Triplet<double>>;
+
+  [[nodiscard]] Eigen::Index node_count() const {
+    return static_cast<Eigen::Index>(mesh_.nodes.size());
+  }
+  [[nodiscard]] std::array<Eigen::Index, 6> degrees_of_freedom(std::size_t e) const {
+    std::array<Eigen::Index, 6> dof{};
+    for (std::size_t k = 0; k < 6; ++k)
+      dof[k] = 2 * static_cast<Eigen::Index>(mesh_.triangles[e][k / 2]) +
+               static_cast<Eigen::Index>(k % 2);
+    return dof;
+  }
+  [[nodiscard]] Matrix6 element_stiffness(std::size_t e) const {
+    const StrainDisplacement b = element_.strain_displacement(mesh_.triangle(e));
+    return (thickness_ * mesh_.area(e)) * (b.transpose() * elasticity_ * b);
+  }
+  // Middles of the edges, where three points of equal weight integrate quadratics exactly.
+  [[nodiscard]] std::array<Vec2, 3> edge_middles(std::size_t e) const {
+    const auto [p, q, r] = mesh_.triangle(e);
+    return {0.5 * (p + q), 0.5 * (q + r), 0.5 * (r + p)};
+  }
+
+  void integrate_mass() {
+    Vec2 first{0, 0};
+    for (std::size_t e = 0; e < mesh_.size(); ++e) {
+      const double m = density_ * thickness_ * mesh_.area(e);
+      mass_ += m;
+      first += m * mesh_.centroid(e);
+    }
+    centre_ = first / mass_;
+    for (std::size_t e = 0; e < mesh_.size(); ++e)
+      for (const Vec2& x : edge_middles(e))
+        inertia_ += density_ * thickness_ * mesh_.area(e) / 3 * (x - centre_).squaredNorm();
+  }
+
+  // -1 marks a held direction of a node.
+  void number_unknowns(const DeterminateSupport& support) {
+    for (const std::uint32_t node : {support.fixed, support.guided})
+      require(node < mesh_.nodes.size(), "DeterminateSupport node", node, "must be in the mesh");
+    require(support.fixed != support.guided, "DeterminateSupport.guided", support.guided,
+            "must be another node than `fixed`");
+    const Vec2 between = mesh_.nodes[support.guided] - mesh_.nodes[support.fixed];
+    const std::size_t across = std::abs(between.x()) > std::abs(between.y()) ? 1 : 0;
+    unknown_of_.assign(2 * mesh_.nodes.size(), 0);
+    unknown_of_[2 * std::size_t{support.fixed}] = -1;
+    unknown_of_[2 * std::size_t{support.fixed} + 1] = -1;
+    unknown_of_[2 * std::size_t{support.guided} + across] = -1;
+    Eigen::Index next = 0;
+    for (Eigen::Index& unknown : unknown_of_)
+      if (unknown >= 0) unknown = next++;
+    right_side_.setZero(next);
+  }
+
+  // The lower half of the stiffness, and the place in it of every entry of every element.
+  void build_pattern() {
+    Triplets entries;
+    const auto for_each_entry = [&](auto&& visit) {
+      for (std::size_t e = 0; e < mesh_.size(); ++e) {
+        const auto dof = degrees_of_freedom(e);
+        for (const Eigen::Index q : dof)
+          for (const Eigen::Index p : dof)
+            visit(unknown_of_[static_cast<std::size_t>(p)],
+                  unknown_of_[static_cast<std::size_t>(q)]);
+      }
+    };
+    for_each_entry([&](Eigen::Index row, Eigen::Index column) {
+      if (column >= 0 && row >= column)
+        entries.emplace_back(static_cast<int>(row), static_cast<int>(column), 0.0);
+    });
+    stiffness_.resize(right_side_.size(), right_side_.size());
+    stiffness_.setFromTriplets(entries.begin(), entries.end());
+    slots_.reserve(36 * mesh_.size());
+    for_each_entry([&](Eigen::Index row, Eigen::Index column) {
+      slots_.push_back(column >= 0 && row >= column
+                           ? &stiffness_.coeffRef(row, column) - stiffness_.valuePtr()
+                           : -1);
+    });
+    cholesky_.analyzePattern(stiffness_);
+  }
+
+  void add_loads(std::span<const BoundaryLoad> loads, Eigen::VectorXd& forces) const {
+    for (const BoundaryLoad& load : loads) {
+      forces.segment<2>(2 * Eigen::Index{load.at.node}) += load.at.weight * load.force;
+      forces.segment<2>(2 * Eigen::Index{load.at.next}) += (1 - load.at.weight) * load.force;
+    }
+  }
+
+  // D'Alembert: density times the rigid acceleration, as a body force.
+  void subtract_inertia(std::span<const BoundaryLoad> loads, Eigen::VectorXd& forces) const {
+    Vec2 force{0, 0};
+    double moment = 0;
+    for (const BoundaryLoad& load : loads) {
+      force += load.force;
+      moment += cross(mesh_.position(load.at) - centre_, load.force);
+    }
+    const Vec2 acceleration = force / mass_;
+    const double spin = moment / inertia_;
+    for (std::size_t e = 0; e < mesh_.size(); ++e) {
+      const auto middles = edge_middles(e);
+      const double mass = density_ * thickness_ * mesh_.area(e) / 3;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec2 share =
+            0.5 * mass * (acceleration + spin * perpendicular(middles[k] - centre_));
+        for (const std::uint32_t node :
+             {mesh_.triangles[e][k], mesh_.triangles[e][(k + 1) % 3]})
+          forces.segment<2>(2 * Eigen::Index{node}) -= share;
+      }
+    }
+  }
+
+  [[nodiscard]] double mean_stiffness() const {
+    double trace = 0;
+    for (std::size_t e = 0; e < mesh_.size(); ++e) trace += element_stiffness(e).trace();
+    return trace / static_cast<double>(2 * node_count());
+  }
+
+  [[nodiscard]] Triplets saddle_point_entries(const std::array<BoundaryPoint, 2>& pins,
+                                              double scale) const {
+    Triplets entries;
+    for (std::size_t e = 0; e < mesh_.size(); ++e) {
+      const Matrix6 k = element_stiffness(e);
+      const auto dof = degrees_of_freedom(e);
+      for (std::size_t p = 0; p < 6; ++p)
+        for (std::size_t q = 0; q < 6; ++q)
+          entries.emplace_back(static_cast<int>(dof[p]), static_cast<int>(dof[q]),
+                               k(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(q)));
+    }
+    auto row = static_cast<int>(2 * node_count());
+    for (const BoundaryPoint& pin : pins)
+      for (int axis = 0; axis < 2; ++axis, ++row)
+        for (const auto& [node, weight] : {std::pair{pin.node, pin.weight},
+                                           std::pair{pin.next, 1 - pin.weight}}) {
+          const int column = 2 * static_cast<int>(node) + axis;
+          entries.emplace_back(row, column, scale * weight);
+          entries.emplace_back(column, row, scale * weight);
+        }
+    return entries;
+  }
+
+  // Compression is positive.
+  void find_stress(const Eigen::VectorXd& displacements, ElementStress& stress) const {
+    stress.reset(mesh_.size());
+    for (std::size_t e = 0; e < mesh_.size(); ++e) {
+      Eigen::Matrix<double, 6, 1> nodal;
+      const auto dof = degrees_of_freedom(e);
+      for (std::size_t k = 0; k < 6; ++k) nodal[static_cast<int>(k)] = displacements[dof[k]];
+      const Eigen::Vector3d tension =
+          elasticity_ * (element_.strain_displacement(mesh_.triangle(e)) * nodal);
+      stress.set(e, {-tension[0], -tension[1], -tension[2]});
+    }
+  }
+
+  Mesh mesh_;
+  E element_;
+  Eigen::Matrix3d elasticity_;
+  double density_ = 0;
+  double thickness_ = 0;
+
+  double mass_ = 0;
+  Vec2 centre_{0, 0};
+  double inertia_ = 0;
+
+  std::vector<Eigen::Index> unknown_of_;  // degree of freedom -> unknown
+  Eigen::SparseMatrix<double> stiffness_;
+  std::vector<std::ptrdiff_t> slots_;  // entries of the elements -> values of the stiffness
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> cholesky_;
+  Eigen::VectorXd forces_;
+  Eigen::VectorXd right_side_;
+  Eigen::VectorXd solution_;
+  Eigen::VectorXd displacements_;
+};
+
+}  // namespace riprap
