@@ -303,7 +303,7 @@ TEST_CASE("a corner bounce nears that of rigid bodies as the wall gets stiffer")
   // Depth, and with it the shift of the contact point, falls with the root of the stiffness.
   const double soft = std::abs(corner_bounce(1e6, 0, true).energy - 0.5);
   const double stiff = std::abs(corner_bounce(1e8, 0, true).energy - 0.5);
-  MESSAGE(soft << " " << stiff);
+  // Where in a step the contact begins and ends adds some per cent to either.
   CHECK(soft / stiff == doctest::Approx(10).epsilon(0.2));
 }
 
@@ -311,72 +311,87 @@ TEST_CASE("a corner bounce nears that of rigid bodies as the wall gets stiffer")
 
 namespace {
 
-struct Slide {
-  double acceleration = 0;  ///< down the slope [m/s^2]
-  double slipped = 0;       ///< energy [J]
-  double way = 0;           ///< [m]
-  double normal_force = 0;  ///< mean [N]
-};
+constexpr double degree = std::numbers::pi / 180;
 
-/// A block of 10 m x 5 m and 2000 kg/m^3 on a fixed slope, released with its weight carried.
-Slide slide(double slope, double friction_angle, double g) {
-  const double k = 1e10;
-  const double weight = 10 * 5 * 2000 * g;
-  const double depth = weight * std::cos(slope) / k;
-  const Rotation turn = Rotation::from_angle(-slope);  // descends towards the right
-  Simulation sim{undamped(springs(k, std::tan(friction_angle))),
-                 of({{rectangle({20, -1}, 100, 2).moved(turn, {0, 0}), Motion::prescribed},
-                     {rectangle({0, 2.5 - depth}, 10, 5).moved(turn, {0, 0}), Motion::free}}),
-                 rock_of(2000)};
-  sim.set_body_force({0, -g});
-  const Vec2 start = sim.particles().body(1).position;
-  Slide result;
-  int steps = 0;
-  for (; sim.time() < 2; ++steps) {
-    sim.step();
-    result.normal_force += turn.inverse_times(sim.particles().body(1).contact.force).y();
-  }
-  const Body& block = sim.particles().body(1);
-  result.normal_force /= steps;
-  result.acceleration = turn.inverse_times(block.velocity).x() / sim.time();
-  result.way = turn.inverse_times(block.position - start).x();
-  result.slipped = sim.contacts().slipped();
-  return result;
+/// A block of 10 m x 2 m on the x axis, sunk in by `depth`, its sides leaning towards -x by `lean`:
+/// a reaction in the middle of its base that leans as much passes through its centroid.
+ConvexPolygon leaning_block(double lean, double depth) {
+  const double shift = -2 * std::tan(lean);
+  return {{-5, -depth}, {5, -depth}, {5 + shift, 2 - depth}, {-5 + shift, 2 - depth}};
+}
+
+/// The block on a fixed slope that descends towards the right, released with its weight carried.
+Assembly slope_and_block(double slope, const ConvexPolygon& block, double speed) {
+  const Rotation turn = Rotation::from_angle(-slope);
+  return of({{rectangle({20, -1}, 100, 2).moved(turn, {0, 0}), Motion::prescribed},
+             {block.moved(turn, {0, 0}), Motion::free, turn * Vec2{speed, 0}}});
 }
 
 }  // namespace
 
 TEST_CASE("a block slides down a slope with g (sin psi - tan phi cos psi)") {
-  const double degree = std::numbers::pi / 180;
   struct Case {
     double slope, friction, g, acceleration;
   };
   for (const Case& c : {Case{40, 20, 10, 3.639702}, Case{30, 20, 9.81, 1.812815}}) {
-    const Slide result = slide(c.slope * degree, c.friction * degree, c.g);
-    // The normal force swings about its mean while the block finds its place on the slope.
-    CHECK(result.acceleration == doctest::Approx(c.acceleration).epsilon(0.005));
-    CHECK(result.way == doctest::Approx(2 * c.acceleration).epsilon(0.005));
-    const double normal = 1e5 * c.g * std::cos(c.slope * degree);
-    CHECK(result.normal_force == doctest::Approx(normal).epsilon(0.005));
-    CHECK(result.slipped ==
-          doctest::Approx(std::tan(c.friction * degree) * normal * result.way).epsilon(0.01));
+    const double k = 1e10;
+    const double friction = std::tan(c.friction * degree);
+    const double normal = 10 * 2 * 2000 * c.g * std::cos(c.slope * degree);
+    const Rotation turn = Rotation::from_angle(-c.slope * degree);
+    Simulation sim{undamped(springs(k, friction)),
+                   slope_and_block(c.slope * degree, leaning_block(c.friction * degree, normal / k),
+                                   1),
+                   rock_of(2000)};
+    sim.set_body_force({0, -c.g});
+    // In the first step there is no friction yet; the spin it leaves is taken away.
+    sim.step();
+    sim.body(1).angular_velocity = 0;
+    const Body start = sim.particles().body(1);
+    const double slipped = sim.contacts().slipped();
+    const double begin = sim.time();
+    while (sim.time() < 2) sim.step();
+    const Body& end = sim.particles().body(1);
+    const double time = sim.time() - begin;
+    const double way = turn.inverse_times(end.position - start.position).x();
+    // The contact swings with the depth of 4e-5 m that it starts from, far below the half per cent
+    // that is usual for this case.
+    const double tolerance = 1e-4;
+    CHECK(turn.inverse_times(end.velocity - start.velocity).x() / time ==
+          doctest::Approx(c.acceleration).epsilon(tolerance));
+    CHECK(way == doctest::Approx((1 + 0.5 * c.acceleration * time) * time).epsilon(1e-3));
+    CHECK(turn.inverse_times(end.contact.force).y() == doctest::Approx(normal).epsilon(tolerance));
+    CHECK(sim.contacts().slipped() - slipped ==
+          doctest::Approx(friction * normal * way).epsilon(tolerance));
   }
 }
 
-TEST_CASE("a flat block stays on a slope below its friction angle") {
-  const double degree = std::numbers::pi / 180;
-  const double k = 1e8;
-  const Rotation turn = Rotation::from_angle(-20 * degree);
-  Simulation sim{damped(springs(k, std::tan(25 * degree))),
-                 of({{rectangle({0, -1}, 100, 2).moved(turn, {0, 0}), Motion::prescribed},
-                     {rectangle({0, 1}, 10, 2).moved(turn, {0, 0}), Motion::free}}),
-                 rock_of(2000)};
+TEST_CASE("a block that hops and rocks down a slope still feels Coulomb friction in every step") {
+  // Gravity's impulse along the slope and mu times that across it: whatever the normal force does,
+  // m d(v_t + mu v_n)/dt = m g (sin psi - mu cos psi) while the contact slips or is open.
+  const double friction = std::tan(20 * degree);
+  const Rotation turn = Rotation::from_angle(-30 * degree);
+  Simulation sim{undamped(springs(1e10, friction)),
+                 slope_and_block(30 * degree, rectangle({0, 2.5}, 10, 5), 5), rock_of(2000)};
+  sim.set_body_force({0, -9.81});
+  const auto speed = [&] {
+    const Vec2 v = turn.inverse_times(sim.particles().body(1).velocity);
+    return v.x() + friction * v.y();
+  };
+  while (sim.time() < 0.1) sim.step();
+  const double before = speed();
+  const double begin = sim.time();
+  while (sim.time() < 2) sim.step();
+  // The spring takes a step or two to load when the block lands.
+  CHECK((speed() - before) / (sim.time() - begin) == doctest::Approx(1.812815).epsilon(0.005));
+}
+
+TEST_CASE("a block stays on a slope below its friction angle") {
+  Simulation sim{damped(springs(1e8, std::tan(25 * degree))),
+                 slope_and_block(20 * degree, leaning_block(20 * degree, 0), 0), rock_of(2000)};
   sim.set_body_force({0, -10});
-  for (int i = 0; i < 20000; ++i) sim.step();
+  for (int i = 0; i < 3000; ++i) sim.step();
   const Body& block = sim.particles().body(1);
   const double weight = block.mass * 10;
-  // At rest the slope carries the weight, with both components of the force. Local damping brings
-  // the block to rest exponentially; it swings some fifty times.
   CHECK((block.contact.force - Vec2{0, weight}).norm() <= 1e-6 * weight);
   CHECK(block.velocity.norm() <= 1e-6);
   CHECK(std::abs(block.contact.moment) <= 1e-6 * weight * 10);
@@ -447,27 +462,28 @@ Assembly random_rush(std::uint64_t seed) {
   return assembly;
 }
 
+/// A packing of 80 particles, quickly pressed together by its boundary.
+auto quick_packing(std::uint64_t seed) {
+  Simulation sim{Model{}.criterion(NeverFails{}), random_assembly({.count = 80, .seed = seed}),
+                 Rock{}};
+  sim.boundary().set_rate(80, 80);
+  for (int i = 0; i < 2300; ++i) sim.step();
+  int touching = 0;
+  sim.contacts().for_each_touching([&](const auto&) { ++touching; });
+  CHECK(touching > 50);  // no longer a gas
+  return sim;
+}
+
 }  // namespace
 
 TEST_CASE("contact forces and their moments about any point sum to zero") {
-  Simulation sim{undamped(springs(2e7, 0.5)), random_rush(3), Rock{}};
-  int touching_most = 0;
-  for (int i = 0; i < 3000; ++i) {
-    sim.step();
-    if (i % 100 != 0) continue;
-    double scale = 0;
-    int touching = 0;
-    sim.contacts().for_each_touching([&](const auto& c) {
-      scale += c.force_on_b().norm();
-      ++touching;
-    });
-    touching_most = std::max(touching_most, touching);
-    const Balance sum = balance(sim.particles());
-    // Round-off of some hundred additions; arms are measured in the assembly's size of 0.1 m.
-    CHECK(sum.force.norm() <= 1e-14 * scale);
-    CHECK(std::abs(sum.moment) <= 1e-14 * scale * 0.1);
-  }
-  CHECK(touching_most >= 10);
+  const auto sim = quick_packing(3);
+  double scale = 0;
+  sim.contacts().for_each_touching([&](const auto& c) { scale += c.force_on_b().norm(); });
+  const Balance sum = balance(sim.particles());
+  // Round-off of some hundred additions; arms are measured in the assembly's size of 0.1 m.
+  CHECK(sum.force.norm() <= 1e-14 * scale);
+  CHECK(std::abs(sum.moment) <= 1e-14 * scale * 0.1);
 }
 
 TEST_CASE("momentum and angular momentum of free bodies are conserved in collisions") {
@@ -562,22 +578,20 @@ TEST_CASE("the work of a wall that pushes a block up to speed is the energy the 
 }
 
 TEST_CASE("a turning wall does work with the moment it exerts") {
-  // A bar that turns about its centroid strikes a block with its end.
-  Simulation sim{undamped(springs(2e7, 0)),
+  // A bar that turns about its centroid strikes the corner of a block with its upper side.
+  const double k = 2e9;
+  Simulation sim{undamped(springs(k, 0)),
                  of({{rectangle({0, 0}, 4, 0.2), Motion::prescribed, {0, 0}, 1.0},
-                     {rectangle({1.8, 0.62}, 1, 1), Motion::free}}),
+                     {rectangle({1.5, 0.85}, 1, 1, 0.25 * std::numbers::pi), Motion::free}}),
                  rock_of(25)};
-  sim.set_time_step(0.01 * std::sqrt(25 / 2e7));
-  double gained = 0;
-  for (int i = 0; i < 8000; ++i) {
-    sim.step();
-    if (sim.work().boundary > 0 && depth_of_only_contact(sim) == 0) break;
-  }
-  gained = kinetic_energy(sim.particles());
-  CHECK(gained > 1);
-  // The chord law is not conservative for a corner that shifts along an edge: its defect is of the
-  // order of depth over size, some 1e-3 here.
-  CHECK(sim.work().boundary == doctest::Approx(gained).epsilon(0.01));
+  sim.set_time_step(0.01 * std::sqrt(25 / k));
+  while (sim.time() < 0.1) sim.step();
+  CHECK(depth_of_only_contact(sim) == 0);
+  const double gained = kinetic_energy(sim.particles());
+  CHECK(gained > 50);
+  // The force acts in the middle of the chord and not at the corner: an error of the order of depth
+  // over size, 2e-4 here.
+  CHECK(sim.work().boundary == doctest::Approx(gained).epsilon(1e-3));
 }
 
 // --- Determinism and independence ---------------------------------------------------------------
@@ -599,18 +613,8 @@ TEST_CASE("a far body changes nothing in the motion of the others, to the last b
 }
 
 TEST_CASE("two runs of the same packing agree to the last bit") {
-  const auto run = [] {
-    Simulation sim{Model{}.criterion(NeverFails{}),
-                   random_assembly({.count = 80, .seed = 11}), Rock{}};
-    sim.boundary().set_rate(20, 20);
-    for (int i = 0; i < 2500; ++i) sim.step();
-    return sim;
-  };
-  const auto first = run();
-  const auto second = run();
-  int touching = 0;
-  first.contacts().for_each_touching([&](const auto&) { ++touching; });
-  CHECK(touching > 20);  // it is a packing by now, not a gas
+  const auto first = quick_packing(11);
+  const auto second = quick_packing(11);
   for (BodyIndex i = 0; i < first.particles().size(); ++i)
     CHECK(same_bits(first.particles().body(i), second.particles().body(i)));
   CHECK(first.work().boundary == second.work().boundary);

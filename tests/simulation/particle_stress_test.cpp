@@ -1,0 +1,77 @@
+#include <doctest/doctest.h>
+
+#include <riprap/dynamics/boundary/no_boundary.hpp>
+#include <riprap/simulation/simulation.hpp>
+#include <support/crushing.hpp>
+
+using namespace riprap;
+
+namespace {
+
+struct Touch {
+  BodyIndex a;
+  BodyIndex b;
+  Vec2 arm_a{0, 0};
+  Vec2 arm_b{0, 0};
+  ContactForce force{};
+  Vec2 force_on_b() const { return {0, 0}; }
+};
+struct Touches {
+  std::vector<Touch> list;
+  template <class Visit>
+  void for_each_touching(Visit&& visit) const {
+    for (const Touch& t : list) visit(t);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the mean stress of a particle under gathered contacts is that of its forces") {
+  Simulation sim{Model{}.boundary(NoBoundary{}), test::square_between_platens(0.2), Rock{}};
+  sim.set_breakage(false);
+  for (int i = 0; i < 1500; ++i) sim.step();
+  // A point in time at which the square also turns and shifts in its own frame is not needed: the
+  // platens load it symmetrically, s22 of the mean is the force over width and thickness.
+  double force = 0;
+  sim.contacts().for_each_touching([&](const auto& c) { force += 0.5 * c.force.normal; });
+  REQUIRE(force > 100);
+  const ElementStress& stress = sim.element_stress(0);
+  const Mesh& mesh = sim.mesh(0);
+  double mean = 0;
+  for (std::size_t e = 0; e < mesh.size(); ++e) mean += mesh.area(e) * stress[e].s22;
+  mean /= 0.016 * 0.016;
+  // The forces act at the boundary; their places differ from it by half the overlap at most, which
+  // the projection onto the boundary takes away. What is left is the imbalance of the two forces.
+  CHECK(mean == doctest::Approx(force / (0.016 * 0.016)).epsilon(1e-6));
+}
+
+TEST_CASE("partners are told apart by who they are, not by how many") {
+  Particles particles(0.016, 2500);
+  for (int i = 0; i < 4; ++i) {
+    const double x = 0.02 * i;
+    particles.add(ConvexPolygon{{x, 0.0}, {x + 0.01, 0.0}, {x, 0.01}}, Motion::free);
+  }
+  ParticleStress<StressModel<>> stress(StressModel<>{}, Rock{});
+  stress.gather(particles, Touches{{{0, 1}, {0, 2}}});
+  const std::uint64_t first = stress.partners(0);
+  CHECK(stress.contact_count(0) == 2);
+  CHECK(stress.contact_count(3) == 0);
+  stress.gather(particles, Touches{{{0, 2}, {0, 1}}});
+  CHECK(stress.partners(0) == first);
+  stress.gather(particles, Touches{{{0, 1}, {0, 3}}});
+  CHECK(stress.partners(0) != first);
+}
+
+TEST_CASE("an operator is built once and forgotten with its particle") {
+  Particles particles(0.016, 2500);
+  particles.add(ConvexPolygon{{0.0, 0.0}, {0.01, 0.0}, {0.0, 0.01}}, Motion::free);
+  ParticleStress<StressModel<>> stress(StressModel<>{}, Rock{});
+  CHECK(stress.bytes() == 0);
+  const auto* op = &stress.influence(particles, 0);
+  const std::size_t bytes = stress.bytes();
+  CHECK(bytes == op->bytes());
+  CHECK(bytes > 0);
+  CHECK(&stress.influence(particles, 0) == op);
+  stress.forget(0);
+  CHECK(stress.bytes() == 0);
+}
