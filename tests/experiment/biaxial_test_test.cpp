@@ -1,0 +1,221 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <riprap/experiment/biaxial_test.hpp>
+#include <riprap/experiment/curve.hpp>
+#include <riprap/output/csv.hpp>
+#include <riprap/particle/random_assembly.hpp>
+#include <riprap/simulation/simulation.hpp>
+#include <vector>
+
+using namespace riprap;
+
+namespace {
+
+// Small enough for a test: 120 particles, of which about a third are the boundary.
+Assembly small_assembly() { return random_assembly({.count = 120, .seed = 3}); }
+
+constexpr BiaxialTest small_test{.confining_pressure = 8e6, .axial_strain = 0.02};
+
+// What the view says at the hooks, checked against independent measurements.
+struct Witness {
+  std::vector<Stage> begun;
+  std::vector<Stage> ended;
+  std::vector<double> recorded;
+  double friction_in_compaction = -1;
+  double friction_in_relaxation = -1;
+  double area_error = 0;
+  double hydrostatic_error = 1;
+  double hydrostatic_unbalanced = 1;
+  double rest_unbalanced = 1;
+  double share_before = 0;
+  bool share_fell = false;
+
+  template <class Sim>
+  void begin_stage(const BiaxialView<Sim>& view) {
+    begun.push_back(view.stage);
+    share_before = 0;
+    if (view.stage == Stage::relaxation) friction_in_relaxation = view.sim.contacts().law().friction;
+  }
+  template <class Sim>
+  void progress(const BiaxialView<Sim>& view) {
+    if (view.stage == Stage::compaction) friction_in_compaction = view.sim.contacts().law().friction;
+    share_fell |= view.done < share_before || view.done > 1;
+    share_before = view.done;
+  }
+  template <class Sim>
+  void record(const BiaxialView<Sim>& view) {
+    recorded.push_back(view.axial_strain());
+    area_error = std::max(
+        area_error, std::abs(view.area / view.boundary.area(view.sim.particles()) - 1));
+  }
+  template <class Sim>
+  void end_stage(const BiaxialView<Sim>& view) {
+    ended.push_back(view.stage);
+    const auto state = state_numbers(view.sim.contacts(), view.sim.particles());
+    if (view.stage == Stage::relaxation) rest_unbalanced = state.unbalanced_force;
+    if (view.stage != Stage::hydrostatic) return;
+    const Stress2 s =
+        average_stress(view.sim.contacts(), view.area, view.sim.particles().thickness());
+    hydrostatic_error = std::max(std::abs(s.s11 / 8e6 - 1), std::abs(s.s22 / 8e6 - 1));
+    hydrostatic_unbalanced = state.unbalanced_force;
+  }
+};
+
+// Sums stress times volume times strain over the records, by the trapezoid rule.
+struct StressWork {
+  double sum = 0;
+  template <class Sim>
+  void record(const BiaxialView<Sim>& view) {
+    const Stress2 s =
+        average_stress(view.sim.contacts(), view.area, view.sim.particles().thickness());
+    const Vec2 strain = view.stretch.array().log();
+    const double volume = view.area * view.sim.particles().thickness();
+    if (have_last)
+      sum -= 0.5 * (volume * s.s11 + last_11) * (strain.x() - last_strain.x()) +
+             0.5 * (volume * s.s22 + last_22) * (strain.y() - last_strain.y());
+    last_11 = volume * s.s11;
+    last_22 = volume * s.s22;
+    last_strain = strain;
+    have_last = true;
+  }
+  double last_11 = 0;
+  double last_22 = 0;
+  Vec2 last_strain{0, 0};
+  bool have_last = false;
+};
+
+template <class ModelType>
+std::string curve_of(ModelType model, const BiaxialTest& test) {
+  Simulation sim{model, small_assembly(), Rock{}};
+  Curve curve;
+  test.run(sim, curve);
+  return curve_csv(curve);
+}
+
+}  // namespace
+
+TEST_CASE("a biaxial test goes through its stages and keeps its promises") {
+  Simulation sim{Model{}, small_assembly(), Rock{}};
+  Curve curve;
+  Witness witness;
+  const BiaxialResult result = small_test.run(sim, curve, witness);
+
+  const std::vector<Stage> all{Stage::compaction, Stage::relaxation, Stage::hydrostatic,
+                               Stage::shear};
+  CHECK(witness.begun == all);
+  CHECK(witness.ended == all);
+  CHECK_FALSE(witness.share_fell);
+  for (const Stage stage : all) {
+    CHECK(result.stage(stage).reached_target);
+    CHECK(result.stage(stage).steps > 0);
+  }
+
+  // Friction is off while the sample compacts and back afterwards.
+  CHECK(witness.friction_in_compaction == 0);
+  CHECK(witness.friction_in_relaxation == 0.5);
+
+  // The stages end where they said they would.
+  CHECK(witness.rest_unbalanced < small_test.rest_unbalanced_force);
+  CHECK(witness.hydrostatic_error <= small_test.hydrostatic_tolerance);
+  CHECK(witness.hydrostatic_unbalanced < small_test.hydrostatic_unbalanced_force);
+
+  // A record at the start, one every 0.25 %, the last at the end; a step is far below 1e-5 of strain.
+  REQUIRE(witness.recorded.size() == 9);
+  for (std::size_t k = 0; k < witness.recorded.size(); ++k) {
+    CHECK(witness.recorded[k] >= 0.0025 * static_cast<double>(k));
+    CHECK(witness.recorded[k] < 0.0025 * static_cast<double>(k) + 1e-5);
+  }
+
+  // Area by the stretches and by the boundary polygon: round-off over some ten thousand steps.
+  CHECK(witness.area_error < 1e-10);
+
+  // The rate is the one that the inertial number asks for.
+  const double d = std::sqrt(4 * sim.mean_area() / std::numbers::pi);
+  CHECK(inertial_number(result.axial_rate, d, 2500, 8e6) ==
+        doctest::Approx(1e-3).epsilon(1e-12));
+  CHECK(std::abs(result.mean_confinement_error) < 0.02);
+  CHECK(result.rms_confinement_error < 0.08);
+
+  const CurvePoint& end = curve.points().back();
+  CHECK(end.lost_particles == 0);
+  // The ledger's own errors are those of the trapezoid rule at the two ends of the sum.
+  CHECK(std::abs(end.energy_error()) < 2e-3);
+  CHECK(end.energy.boundary_work > 0);
+  CHECK(end.stress.s22 > 1.5 * end.stress.s11);
+}
+
+TEST_CASE("the work of the boundary is stress times strain") {
+  // W = integral of V sigma : d(strain), but for what damping and inertia take on the affine motion
+  // of the particles: a few per cent of the whole.
+  Simulation sim{Model{}.criterion(NeverFails{}), small_assembly(), Rock{}};
+  Curve curve;
+  StressWork work;
+  BiaxialTest test = small_test;
+  test.record_every = 1e-4;
+  test.run(sim, curve, work);
+  CHECK(curve.points().back().energy.boundary_work == doctest::Approx(work.sum).epsilon(0.05));
+}
+
+TEST_CASE("two runs give the same curve, to the last byte") {
+  CHECK(curve_of(Model{}, small_test) == curve_of(Model{}, small_test));
+}
+
+TEST_CASE("a trigger out of reach gives the curve of particles that cannot fail, byte for byte") {
+  CHECK(curve_of(Model{}.trigger(FailedElementRatio{1.1}), small_test) ==
+        curve_of(Model{}.criterion(NeverFails{}), small_test));
+}
+
+TEST_CASE("units of length, mass and time scale the whole test") {
+  // Lengths times 2, times as they are, masses times 4 (density times 1/2, stiffness times 4):
+  // powers of two are exact in binary, so nothing but the exponents changes. Stress is
+  // mass / (length time^2): times 2.
+  const auto run = [](double length, double mass) {
+    RandomAssembly options{.count = 60, .mean_diameter = 0.016 * length, .seed = 2};
+    options.thickness = 0.016 * length;
+    const double stress = mass / length;
+    Simulation sim{
+        Model{}
+            .contact(LinearSpringCoulomb{.normal_stiffness = 2e7 * mass,
+                                         .tangential_stiffness = 2e7 * mass})
+            .criterion(HoekBrown{.compressive_strength = 300e6 * stress}),
+        random_assembly(options),
+        Rock{.young = 70e9 * stress, .density = 2500 * mass / (length * length * length)}};
+    Curve curve;
+    BiaxialTest{.confining_pressure = 8e6 * stress,
+                .axial_strain = 0.01,
+                .jam_pressure = 2e5 * stress}
+        .run(sim, curve);
+    return curve.points().back();
+  };
+  const CurvePoint one = run(1, 1);
+  const CurvePoint other = run(2, 4);
+  CHECK(other.sin_phi() == one.sin_phi());
+  CHECK(other.stress.s22 == 2 * one.stress.s22);
+  CHECK(other.porosity == doctest::Approx(one.porosity).epsilon(1e-12));
+  CHECK(other.coordination.coordination_number == one.coordination.coordination_number);
+}
+
+TEST_CASE("bad parameters are named, and so is a missing boundary") {
+  Simulation sim{Model{}, small_assembly(), Rock{}};
+  CHECK_THROWS_WITH_AS((BiaxialTest{.confining_pressure = -1}.run(sim)),
+                       "BiaxialTest.confining_pressure = -1: must be a finite number above 0",
+                       InvalidInput);
+  CHECK_THROWS_WITH_AS((BiaxialTest{.axial_strain = 1}.run(sim)),
+                       "BiaxialTest.axial_strain = 1: must lie in [0, 0.9)", InvalidInput);
+  Assembly loose{.thickness = 0.016, .particles = {}};
+  loose.particles.push_back({ConvexPolygon{{0.0, 0.0}, {0.01, 0.0}, {0.0, 0.01}}});
+  Simulation free{Model{}, loose, Rock{}};
+  CHECK_THROWS_WITH_AS(small_test.run(free),
+                       "BiaxialTest needs at least 3 particles of Motion::strain_field; the "
+                       "assembly has 0",
+                       InvalidInput);
+}
+
+TEST_CASE("a sample that does not jam is an error, not an endless run") {
+  Simulation sim{Model{}, small_assembly(), Rock{}};
+  BiaxialTest test = small_test;
+  test.most_steps = 1000;
+  CHECK_THROWS_AS(test.run(sim), SimulationError);
+}
