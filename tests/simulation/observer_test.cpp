@@ -7,24 +7,26 @@ using namespace riprap;
 
 namespace {
 
-struct WithHook {
-  std::vector<int>& calls;
-  int name;
-  void after_step(int) { calls.push_back(name); }
+struct Some {
+  std::vector<int> calls;
+  void before_forces(int sim) { calls.push_back(sim); }
+  void on_break(int sim, int event) { calls.push_back(10 * sim + event); }
 };
-struct WithoutHook {};
+struct None {};
 
 }  // namespace
 
-TEST_CASE("observers are told in their order, and only those that have the hook") {
-  std::vector<int> calls;
-  WithHook first{calls, 1};
-  WithoutHook second;
-  WithHook third{calls, 3};
-  notify(
-      [](auto& o) {
-        if constexpr (requires { o.after_step(0); }) o.after_step(0);
-      },
-      first, second, third);
-  CHECK(calls == std::vector<int>{1, 3});
+TEST_CASE("an observer is called for the hooks it has and left alone for the others") {
+  Some some;
+  hooks::before_forces(some, 1);
+  hooks::after_forces(some, 2);
+  hooks::before_splits(some, 3);
+  hooks::on_break(some, 4, 5);
+  hooks::after_splits(some, 6);
+  hooks::after_step(some, 7);
+  CHECK(some.calls == std::vector<int>{1, 45});
+
+  None none;
+  hooks::before_forces(none, 1);
+  hooks::on_break(none, 1, 2);
 }

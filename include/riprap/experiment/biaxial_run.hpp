@@ -20,7 +20,6 @@
 #include <riprap/measurement/dimensionless.hpp>
 #include <riprap/measurement/energy.hpp>
 #include <riprap/measurement/volume.hpp>
-#include <riprap/simulation/observer.hpp>
 
 namespace riprap::internal {
 
@@ -75,7 +74,7 @@ class BiaxialRun {
     first_area_ = boundary_.area(sim_.particles());
     view_.area = first_area_;
     set_rate({0, 0});
-    tell([&](auto& o) { if constexpr (requires { o.begin_stage(view_); }) o.begin_stage(view_); });
+    tell([&](auto& o) { hooks::begin_stage(o, view_); });
     const std::uint64_t first_step = sim_.steps();
     const auto begun = std::chrono::steady_clock::now();
     auto& outcome = result_.stages[static_cast<std::size_t>(stage)];
@@ -85,7 +84,7 @@ class BiaxialRun {
     outcome.wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     view_.done = 1;
-    tell([&](auto& o) { if constexpr (requires { o.end_stage(view_); }) o.end_stage(view_); });
+    tell([&](auto& o) { hooks::end_stage(o, view_); });
   }
 
   void step() {
@@ -94,10 +93,7 @@ class BiaxialRun {
     view_.stretch -= sim_.time_step() * view_.rate.cwiseProduct(view_.stretch);
     view_.area = first_area_ * view_.stretch.x() * view_.stretch.y();
     for (std::size_t i = breaks; i < sim_.breaks().size(); ++i)
-      tell([&](auto& o) {
-        if constexpr (requires { o.record_break(view_, sim_.breaks()[i]); })
-          o.record_break(view_, sim_.breaks()[i]);
-      });
+      tell([&](auto& o) { hooks::record_break(o, view_, sim_.breaks()[i]); });
   }
   void set_rate(const Vec2& rate) {
     view_.rate = rate;
@@ -106,11 +102,11 @@ class BiaxialRun {
   // The share only ever grows, whatever estimate it comes from.
   void progress(double done) {
     view_.done = std::clamp(done, view_.done, 1.0);
-    tell([&](auto& o) { if constexpr (requires { o.progress(view_); }) o.progress(view_); });
+    tell([&](auto& o) { hooks::progress(o, view_); });
   }
   template <class Call>
   void tell(Call&& call) {
-    std::apply([&](auto&... o) { notify(call, o...); }, observers_);
+    std::apply([&](auto&... o) { (call(o), ...); }, observers_);
   }
 
   // Steps, each after `steer()`, until `finished()`, asked now and then, says so; false if the cap on
@@ -219,7 +215,7 @@ class BiaxialRun {
   }
 
   void record() {
-    tell([&](auto& o) { if constexpr (requires { o.record(view_); }) o.record(view_); });
+    tell([&](auto& o) { hooks::record(o, view_); });
   }
 
   const Test& test_;

@@ -20,8 +20,7 @@ enum class Stage { compaction, relaxation, hydrostatic, shear };
   return "";
 }
 
-/// The state of a biaxial test, handed to observers' hooks: `begin_stage(view)`, `progress(view)`,
-/// `record(view)`, `record_break(view, event)` and `end_stage(view)`.
+/// The state of a biaxial test, handed to observers' hooks.
 template <class Sim>
 struct BiaxialView {
   const Sim& sim;
@@ -41,4 +40,33 @@ struct BiaxialView {
   [[nodiscard]] double volumetric_strain() const { return 1 - stretch.x() * stretch.y(); }
 };
 
+/// Hooks that a biaxial test adds to those of a simulation step.
+namespace hooks {
+
+/// A stage begins.
+inline constexpr auto begin_stage = [](auto& observer, const auto& view) {
+  if constexpr (requires { observer.begin_stage(view); }) observer.begin_stage(view);
+};
+
+/// Every hundred steps or so.
+inline constexpr auto progress = [](auto& observer, const auto& view) {
+  if constexpr (requires { observer.progress(view); }) observer.progress(view);
+};
+
+/// In shear: at the start, at regular strains, and at the end.
+inline constexpr auto record = [](auto& observer, const auto& view) {
+  if constexpr (requires { observer.record(view); }) observer.record(view);
+};
+
+/// A particle broke in the step just made; `event` is a BreakEvent.
+inline constexpr auto record_break = [](auto& observer, const auto& view, const auto& event) {
+  if constexpr (requires { observer.record_break(view, event); }) observer.record_break(view, event);
+};
+
+/// A stage has ended; `view.reached_target` says how.
+inline constexpr auto end_stage = [](auto& observer, const auto& view) {
+  if constexpr (requires { observer.end_stage(view); }) observer.end_stage(view);
+};
+
+}  // namespace hooks
 }  // namespace riprap

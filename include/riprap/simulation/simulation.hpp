@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <riprap/breakage/crack.hpp>
 #include <riprap/contact/contact_list.hpp>
 #include <riprap/particle/assembly.hpp>
 #include <riprap/particle/particles.hpp>
@@ -71,19 +72,16 @@ class Simulation {
   void step(Observers&... observers) {
     model_.motion_model.boundary.drive(particles_.bodies(), time_step_);
     advance_bodies();
-    notify([&](auto& o) { if constexpr (requires { o.before_forces(*this); }) o.before_forces(*this); },
-           observers...);
+    (hooks::before_forces(observers, *this), ...);
     contacts_.update(particles_, time_step_);
-    notify([&](auto& o) { if constexpr (requires { o.after_forces(*this); }) o.after_forces(*this); },
-           observers...);
+    (hooks::after_forces(observers, *this), ...);
     finish_bodies();
     ++steps_;
     if constexpr (breakable)
       if (breakage_active_ && steps_ % model_.breakage_model.check_every == 0)
         break_particles(observers...);
     if (steps_ % 1024 == 0) check_finite();
-    notify([&](auto& o) { if constexpr (requires { o.after_step(*this); }) o.after_step(*this); },
-           observers...);
+    (hooks::after_step(observers, *this), ...);
   }
 
   [[nodiscard]] const ModelType& model() const { return model_; }
@@ -228,60 +226,23 @@ class Simulation {
     });
     bool announced = false;
     for (const BodyIndex i : broken_) {
-      const std::optional<Crack> crack = find_crack(i);
+      const std::optional<Crack> crack =
+          find_crack(model_.breakage_model, stress_.influence(particles_, i).mesh(),
+                     stress_.evaluate(particles_, i), particles_.body(i), particles_.ring(i),
+                     mean_area_);
       if (!crack) {
         refusals_[i] = {true, stress_.partners(i)};
         continue;
       }
       if (!std::exchange(announced, true))
-        notify([&](auto& o) { if constexpr (requires { o.before_splits(*this); }) o.before_splits(*this); },
-               observers...);
+        (hooks::before_splits(observers, *this), ...);
       split(i, *crack);
-      notify([&](auto& o) { if constexpr (requires { o.on_break(*this, breaks_.back()); }) o.on_break(*this, breaks_.back()); },
-             observers...);
+      (hooks::on_break(observers, *this, breaks_.back()), ...);
     }
     if (!announced) return;
     // Pieces meet their neighbours anew at the same poses; all other forces come out as they were.
     contacts_.update(particles_, 0);
-    notify([&](auto& o) { if constexpr (requires { o.after_splits(*this); }) o.after_splits(*this); },
-           observers...);
-  }
-
-  /// How a particle is to be split.
-  struct Crack {
-    FailureTally tally;
-    FailureMode mode = FailureMode::intact;
-    Line line;
-    CutRings pieces;
-  };
-
-  // The line through the failed elements and the pieces it leaves; nothing if there is no line or
-  // the splitter refuses.
-  [[nodiscard]] std::optional<Crack> find_crack(BodyIndex i) {
-    const auto& breakage = model_.breakage_model;
-    const ElementStress& stress = stress_.evaluate(particles_, i);
-    const Mesh& mesh = stress_.influence(particles_, i).mesh();
-    const Body& body = particles_.body(i);
-    Crack crack;
-    crack.tally = tally_failures(breakage.criterion, stress);
-    points_.clear();
-    for (std::size_t e = 0; e < stress.size(); ++e) {
-      const ElementFailure element = evaluate(breakage.criterion, stress[e]);
-      if (element.failed())
-        points_.push_back({body.position + body.rotation * mesh.centroid(e), element.weight()});
-    }
-    const std::size_t first = crack.tally.first_failed;
-    crack.mode = evaluate(breakage.criterion, stress[first]).mode;
-    const FailurePlanes planes = failure_planes(
-        breakage.criterion, stress[first].rotated(body.rotation), crack.mode);
-    const std::optional<Line> line =
-        breakage.line_fit(std::span<const WeightedPoint>(points_), planes);
-    if (!line) return std::nullopt;
-    crack.line = *line;
-    std::optional<CutRings> pieces = breakage.splitter(particles_.ring(i), *line, mean_area_);
-    if (!pieces) return std::nullopt;
-    crack.pieces = std::move(*pieces);
-    return crack;
+    (hooks::after_splits(observers, *this), ...);
   }
 
   // The left piece takes the parent's place, the right one is new.
@@ -340,7 +301,6 @@ class Simulation {
   BodyWork work_;
   std::vector<Refusal> refusals_;
   std::vector<BodyIndex> broken_;
-  std::vector<WeightedPoint> points_;
   std::vector<BreakEvent> breaks_;
 };
 

@@ -1,0 +1,66 @@
+#pragma once
+/// @file
+/// From the stress in a particle to the crack through it and the pieces it leaves.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <riprap/breakage/failure_tally.hpp>
+#include <riprap/breakage/line_fit/concepts.hpp>
+#include <riprap/geometry/cut.hpp>
+#include <riprap/particle/body.hpp>
+#include <riprap/stress/element_stress.hpp>
+#include <riprap/stress/mesh/mesh.hpp>
+
+namespace riprap {
+
+/// How a particle is to be split.
+struct Crack {
+  FailureTally tally;
+  FailureMode mode = FailureMode::intact;  ///< of the first failed element
+  Line line;                               ///< in laboratory coordinates
+  CutRings pieces;
+};
+
+/// Centroids of the failed elements with their weights 1/SF, in laboratory axes.
+template <FailureCriterion C>
+[[nodiscard]] std::vector<WeightedPoint> failed_points(const C& criterion, const Mesh& mesh,
+                                                       const ElementStress& stress,
+                                                       const Body& body) {
+  std::vector<WeightedPoint> points;
+  for (std::size_t e = 0; e < stress.size(); ++e) {
+    const ElementFailure element = evaluate(criterion, stress[e]);
+    if (element.failed())
+      points.push_back({body.position + body.rotation * mesh.centroid(e), element.weight()});
+  }
+  return points;
+}
+
+/// The line through the failed elements and the pieces on its two sides; nothing if there is no
+/// line or the splitter refuses.
+/// @param model  offers `criterion`, `line_fit` and `splitter`
+/// @param stress of the elements of `mesh`, in the body's own frame
+/// @param ring   of the particle, in laboratory coordinates
+template <class BreakagePart>
+[[nodiscard]] std::optional<Crack> find_crack(const BreakagePart& model, const Mesh& mesh,
+                                              const ElementStress& stress, const Body& body,
+                                              Ring ring, double mean_area) {
+  Crack crack;
+  crack.tally = tally_failures(model.criterion, stress);
+  const Stress2 first = stress[crack.tally.first_failed];
+  crack.mode = evaluate(model.criterion, first).mode;
+  const FailurePlanes planes =
+      failure_planes(model.criterion, first.rotated(body.rotation), crack.mode);
+  const auto points = failed_points(model.criterion, mesh, stress, body);
+  const std::optional<Line> line =
+      model.line_fit(std::span<const WeightedPoint>(points), planes);
+  if (!line) return std::nullopt;
+  crack.line = *line;
+  std::optional<CutRings> pieces = model.splitter(ring, *line, mean_area);
+  if (!pieces) return std::nullopt;
+  crack.pieces = std::move(*pieces);
+  return crack;
+}
+
+}  // namespace riprap
