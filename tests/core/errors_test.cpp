@@ -25,8 +25,12 @@ TEST_CASE("a number's text is the shortest that reads back as the same number") 
   CHECK(to_text(-12e6) == "-1.2e+07");
   CHECK(to_text(not_a_number) == "nan");
   CHECK(to_text(-infinity) == "-inf");
-  const double extremes[] = {1.0 / 3, 0.1 + 0.2, -std::numeric_limits<double>::max(),
-                             std::numeric_limits<double>::denorm_min(), 5e-324, 1 + 2.3e-16};
+  const double extremes[] = {1.0 / 3,
+                             0.1 + 0.2,
+                             -std::numeric_limits<double>::max(),
+                             std::numeric_limits<double>::denorm_min(),
+                             5e-324,
+                             1 + 2.3e-16};
   for (const double value : extremes) CHECK(std::strtod(to_text(value).c_str(), nullptr) == value);
 }
 

@@ -86,8 +86,7 @@ TEST_CASE("area and moments of random cuts add up, and both parts are convex") {
     const Line line = random_line(shape, random);
     for (const Pose& pose : poses(1)) {
       const ConvexPolygon whole = pose.of(shape);
-      const auto parts =
-          cut(whole.ring(), {pose.of(line.point), pose.rotation * line.direction});
+      const auto parts = cut(whole.ring(), {pose.of(line.point), pose.rotation * line.direction});
       if (!parts) continue;
       check_sums(whole.ring(), {parts->left, parts->right}, 4e-15 * pose.digits);
       CHECK(parts->left.size() + parts->right.size() <= whole.size() + 4);
@@ -179,8 +178,7 @@ TEST_CASE("a vertex within a millionth of the diameter of the line lies on it") 
     CHECK(area_properties(thin->left).area ==
           doctest::Approx(3e-6 * size * size).epsilon(1e-9).scale(0));
     // Just beside two opposite corners: no edge of a millionth of the size is made.
-    const auto diagonal =
-        cut(square.ring(), {{0.7e-6 * size, 0}, Vec2{1, 1} / std::sqrt(2.0)});
+    const auto diagonal = cut(square.ring(), {{0.7e-6 * size, 0}, Vec2{1, 1} / std::sqrt(2.0)});
     REQUIRE(diagonal);
     CHECK(diagonal->left.size() == 3);
     CHECK(diagonal->right.size() == 3);

@@ -11,9 +11,8 @@ using test::message_of;
 namespace {
 
 std::string complaint(double young, double poisson, double density) {
-  return message_of([=] {
-    Rock{.young = young, .poisson = poisson, .density = density}.validate();
-  });
+  return message_of(
+      [=] { Rock{.young = young, .poisson = poisson, .density = density}.validate(); });
 }
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -30,8 +29,7 @@ TEST_CASE("the default rock is that of Table 1 of Bagherzadeh-Khalkhali et al. (
 
 TEST_CASE("stiffness and density are above zero") {
   CHECK(complaint(0, 0.2, 2500) == "Rock.young = 0: must be a finite number above 0");
-  CHECK(complaint(-7e10, 0.2, 2500) ==
-        "Rock.young = -7e+10: must be a finite number above 0");
+  CHECK(complaint(-7e10, 0.2, 2500) == "Rock.young = -7e+10: must be a finite number above 0");
   CHECK(complaint(not_a_number, 0.2, 2500) == "Rock.young = nan: must be a finite number above 0");
   CHECK(complaint(7e10, 0.2, 0) == "Rock.density = 0: must be a finite number above 0");
   CHECK(complaint(7e10, 0.2, -1) == "Rock.density = -1: must be a finite number above 0");

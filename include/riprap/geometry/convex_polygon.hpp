@@ -67,13 +67,17 @@ class ConvexPolygon {
   void check_convex() const {
     const double tolerance = 1e-9 * diameter(vertices_);
     if (!(tolerance > 0)) throw InvalidInput("polygon has no extent: all vertices coincide");
+    // All edges first: beside an edge without length, its own ends would be blamed for a corner.
+    for (std::size_t i = 0; i < size(); ++i) {
+      const std::size_t next = (i + 1) % size();
+      if ((vertices_[next] - vertices_[i]).norm() <= tolerance)
+        throw InvalidInput("polygon " + vertex_text(i) + " coincides with " + vertex_text(next) +
+                           ": vertices must be distinct");
+    }
     for (std::size_t i = 0; i < size(); ++i) {
       const std::size_t next = (i + 1) % size();
       const Vec2 edge = vertices_[next] - vertices_[i];
       const double length = edge.norm();
-      if (length <= tolerance)
-        throw InvalidInput("polygon " + vertex_text(i) + " coincides with " + vertex_text(next) +
-                           ": vertices must be distinct");
       for (std::size_t k = 0; k < size(); ++k) {
         if (k == i || k == next) continue;
         const double left = cross(edge, vertices_[k] - vertices_[i]) / length;

@@ -12,7 +12,7 @@ namespace riprap {
 
 /// Vertices at jittered angles on an ellipse. Sharpness decides much of what an assembly does (with
 /// blunt parents the pieces are sharper than the particles they came from), so shape is stated.
-/// The defaults give a mean smallest corner of about 65 degrees and a mean aspect of about 1.75.
+/// The defaults give a mean smallest corner of about 65 degrees and a mean aspect of about 1.72.
 struct PolygonShape {
   unsigned fewest_vertices = 3;
   unsigned most_vertices = 5;

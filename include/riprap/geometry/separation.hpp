@@ -2,6 +2,7 @@
 /// @file
 /// Do two convex rings keep apart, and if not, what is the least translation that parts them?
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>

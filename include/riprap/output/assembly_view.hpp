@@ -30,7 +30,8 @@ class AssemblyView {
   }
 
   [[nodiscard]] Svg canvas() const {
-    return {2 * half_.x() + 2 * margin + legend, 2 * half_.y() + 2 * margin + header};
+    return {2 * half_.x() + 2 * margin + legend,
+            std::max(2 * half_.y() + 2 * margin + header, least_height)};
   }
   [[nodiscard]] double scale() const { return scale_; }  ///< pixels per metre
   [[nodiscard]] double legend_left() const { return 2 * half_.x() + 2 * margin; }
@@ -69,6 +70,7 @@ class AssemblyView {
   static constexpr double margin = 20;
   static constexpr double header = 30;
   static constexpr double legend = 190;
+  static constexpr double least_height = 380;  // holds the legend of a flat assembly
 
   double scale_ = 1;
   Vec2 centre_{0, 0};

@@ -35,6 +35,7 @@ template <class Contacts>
            Svg::number(width_of_mean * force / mean) + "\"";
   };
   contacts.for_each_touching([&](const auto& c) {
+    if (c.force.normal == 0) return;  // particles that just touch
     // Half by half through the contact point: a chain runs through the particles it loads.
     const std::string style = stroke(c.force.normal);
     svg.line(view(c.geometry.point - c.arm_a), view(c.geometry.point), style);

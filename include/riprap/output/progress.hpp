@@ -16,9 +16,11 @@
 namespace riprap {
 
 /// An observer of BiaxialTest that prints stage, share done, time left in the stage, breakages and
-/// warnings to standard error: on a terminal a line that is rewritten, elsewhere a line now and then.
+/// warnings: on a terminal a line that is rewritten, elsewhere a line now and then.
 class Progress {
  public:
+  explicit Progress(std::FILE* out = stderr) : out_(out), in_place_(is_terminal(out)) {}
+
   template <class Sim>
   void begin_stage(const BiaxialView<Sim>& view) {
     begun_ = last_ = Clock::now();
@@ -39,7 +41,7 @@ class Progress {
   template <class Sim>
   void end_stage(const BiaxialView<Sim>& view) {
     print(view);
-    if (in_place_) std::fputc('\n', stderr);
+    if (in_place_) std::fputc('\n', out_);
     check_.end_stage(view);
     print_warnings();
   }
@@ -47,9 +49,9 @@ class Progress {
  private:
   using Clock = std::chrono::steady_clock;
 
-  [[nodiscard]] static bool is_terminal() {
+  [[nodiscard]] static bool is_terminal([[maybe_unused]] std::FILE* out) {
 #if __has_include(<unistd.h>)
-    return isatty(STDERR_FILENO) != 0;
+    return isatty(fileno(out)) != 0;
 #else
     return false;
 #endif
@@ -69,15 +71,15 @@ class Progress {
       line += "  breakages " + std::to_string(view.sim.breaks().size());
     }
     if (in_place_)
-      std::fprintf(stderr, "\r%-78s", line.c_str());
+      std::fprintf(out_, "\r%-78s", line.c_str());
     else
-      std::fprintf(stderr, "%s\n", line.c_str());
-    std::fflush(stderr);
+      std::fprintf(out_, "%s\n", line.c_str());
+    std::fflush(out_);
   }
 
   void print_warnings() {
     for (; warned_ < check_.warnings().size(); ++warned_)
-      std::fprintf(stderr, "%swarning: %s\n", in_place_ ? "\n" : "",
+      std::fprintf(out_, "%swarning: %s\n", in_place_ ? "\n" : "",
                    check_.warnings()[warned_].c_str());
   }
 
@@ -92,7 +94,8 @@ class Progress {
     return text;
   }
 
-  bool in_place_ = is_terminal();
+  std::FILE* out_;
+  bool in_place_;
   Clock::time_point begun_ = Clock::now();
   Clock::time_point last_ = begun_;
   RangeCheck check_;

@@ -52,10 +52,11 @@ class Particles {
   /// @param parent  ancestry of the particle it broke from; null for an intact particle
   BodyIndex add(const ConvexPolygon& polygon, Motion motion, const Ancestry* parent = nullptr) {
     const auto index = static_cast<BodyIndex>(bodies_.size());
+    const Ancestry copy = parent ? *parent : Ancestry{};  // *parent may lie in ancestries_
     bodies_.emplace_back();
     shapes_.emplace_back();
     ancestries_.emplace_back();
-    place(index, polygon, motion, parent);
+    place(index, polygon, motion, parent ? &copy : nullptr);
     return index;
   }
 

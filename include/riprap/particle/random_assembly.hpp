@@ -54,7 +54,9 @@ struct RandomAssembly {
 
 namespace internal {
 
-/// Buckets of placed polygons, so that a new one is tested against its neighbourhood only.
+/// Buckets of placed polygons, so that a new one is tested against its neighbourhood only. A cell
+/// is at least twice as wide as any vertex is far from its centroid: a sharp tip reaches farther
+/// than half the diameter.
 class PlacementGrid {
  public:
   explicit PlacementGrid(double cell) : cell_(cell) {}
@@ -161,12 +163,12 @@ inline void place_inside(std::vector<ConvexPolygon>& polygons, double reach, dou
   const double d = options.mean_diameter;
   std::vector<ConvexPolygon> polygons;
   double area = 0;
-  double widest = 0;
+  double farthest = 0;
   for (unsigned i = 0; i < options.count; ++i) {
     const double size = d * random.uniform(options.smallest_diameter, options.largest_diameter);
     polygons.push_back(random_polygon(options.shape, size, random));
     area += area_properties(polygons.back().ring()).area;
-    widest = std::max(widest, diameter(polygons.back().ring()));
+    for (const Vec2& v : polygons.back()) farthest = std::max(farthest, v.norm());
   }
   const double dense_radius = std::sqrt(area / (std::numbers::pi * options.dense_fraction));
   const double radius = std::sqrt(area / (std::numbers::pi * options.solid_fraction));
@@ -174,7 +176,7 @@ inline void place_inside(std::vector<ConvexPolygon>& polygons, double reach, dou
   Assembly assembly{.thickness = options.thickness, .particles = {}};
   internal::place_ring(polygons, dense_radius, radius, options.boundary_spacing, assembly);
   // Nothing may start outside the ring of boundary centroids.
-  internal::place_inside(polygons, radius - 0.5 * d, widest, random, assembly);
+  internal::place_inside(polygons, radius - 0.5 * d, 2 * farthest, random, assembly);
   return assembly;
 }
 

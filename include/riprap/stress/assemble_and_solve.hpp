@@ -1,7 +1,8 @@
 #pragma once
 /// @file
-/// Element stresses the long way: the whole particle assembled and solved. Not part of riprap.hpp: an
-/// independent check on the influence operator, and the baseline that its speed is measured against.
+/// Element stresses the long way: the whole particle assembled and solved. Not part of riprap.hpp:
+/// an independent check on the influence operator, and the baseline that its speed is measured
+/// against.
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -26,8 +27,8 @@
 namespace riprap {
 
 /// Just enough constraints to hold a free particle: node `fixed` in both directions, node `guided`
-/// along the axis that lies more across the line between the two. Balanced loads cause no reactions,
-/// so stress is the same for every choice.
+/// along the axis that lies more across the line between the two. Balanced loads cause no
+/// reactions, so stress is the same for every choice.
 struct DeterminateSupport {
   std::uint32_t fixed = 0;
   std::uint32_t guided = 1;
@@ -39,8 +40,8 @@ struct DeterminateSupport {
 };
 
 /// Sparse finite elements for one particle. The unknowns, their order of elimination and all memory
-/// of the free case are set up once; `factorise` and `solve_free` then do the work that one check of
-/// a particle costs without an influence operator. Shares no arithmetic with that operator: the
+/// of the free case are set up once; `factorise` and `solve_free` then do the work that one check
+/// of a particle costs without an influence operator. Shares no arithmetic with that operator: the
 /// inertia that balances a free particle is integrated by quadrature, triangle by triangle.
 template <Element E, PlaneState P>
 class AssembleAndSolve {
@@ -48,8 +49,8 @@ class AssembleAndSolve {
   /// Also factorises.
   /// @param mesh      anywhere in the plane; its centroid need not be the origin
   /// @param thickness out of plane [m]
-  AssembleAndSolve(Mesh mesh, const E& element, const P& plane, const Rock& rock,
-                   double thickness, const DeterminateSupport& support)
+  AssembleAndSolve(Mesh mesh, const E& element, const P& plane, const Rock& rock, double thickness,
+                   const DeterminateSupport& support)
       : mesh_(std::move(mesh)), element_(element), elasticity_(plane.elasticity(rock)),
         density_(rock.density), thickness_(thickness) {
     require_positive("AssembleAndSolve.thickness", thickness);
@@ -222,10 +223,8 @@ class AssembleAndSolve {
       const auto middles = edge_middles(e);
       const double mass = density_ * thickness_ * mesh_.area(e) / 3;
       for (std::size_t k = 0; k < 3; ++k) {
-        const Vec2 share =
-            0.5 * mass * (acceleration + spin * perpendicular(middles[k] - centre_));
-        for (const std::uint32_t node :
-             {mesh_.triangles[e][k], mesh_.triangles[e][(k + 1) % 3]})
+        const Vec2 share = 0.5 * mass * (acceleration + spin * perpendicular(middles[k] - centre_));
+        for (const std::uint32_t node : {mesh_.triangles[e][k], mesh_.triangles[e][(k + 1) % 3]})
           forces.segment<2>(2 * Eigen::Index{node}) -= share;
       }
     }
@@ -251,8 +250,8 @@ class AssembleAndSolve {
     auto row = static_cast<int>(2 * node_count());
     for (const BoundaryPoint& pin : pins)
       for (int axis = 0; axis < 2; ++axis, ++row)
-        for (const auto& [node, weight] : {std::pair{pin.node, pin.weight},
-                                           std::pair{pin.next, 1 - pin.weight}}) {
+        for (const auto& [node, weight] :
+             {std::pair{pin.node, pin.weight}, std::pair{pin.next, 1 - pin.weight}}) {
           const int column = 2 * static_cast<int>(node) + axis;
           entries.emplace_back(row, column, scale * weight);
           entries.emplace_back(column, row, scale * weight);

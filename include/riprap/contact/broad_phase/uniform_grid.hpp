@@ -51,7 +51,7 @@ struct UniformGrid {
     std::size_t rows = 1;
 
     [[nodiscard]] static std::size_t clamp_index(double x, std::size_t n) {
-      return x <= 0 ? 0 : std::min(static_cast<std::size_t>(x), n - 1);
+      return x > 0 ? std::min(static_cast<std::size_t>(x), n - 1) : 0;
     }
     [[nodiscard]] std::size_t column(double x) const {
       return clamp_index((x - origin.x()) / cell, columns);
@@ -86,7 +86,7 @@ struct UniformGrid {
         std::max({extent / count, std::sqrt(span.x() * span.y() / (4 * count)),
                   std::max(span.x(), span.y()) / (4 * count)});
     const auto cells = [cell](double length) {
-      return static_cast<std::size_t>(length / cell) + 1;
+      return length > 0 ? static_cast<std::size_t>(length / cell) + 1 : 1;
     };
     return {low, cell, cells(span.x()), cells(span.y())};
   }

@@ -3,10 +3,9 @@
 /// Linear springs with Coulomb slip: the default contact law (Table 1 of the paper).
 
 #include <algorithm>
-#include <cmath>
 
 #include <riprap/contact/law/concepts.hpp>
-#include <riprap/core/errors.hpp>
+#include <riprap/contact/law/coulomb_slip.hpp>
 
 namespace riprap {
 
@@ -24,25 +23,18 @@ struct LinearSpringCoulomb {
   [[nodiscard]] ContactForce operator()(const ContactGeometry& geometry,
                                         const ContactMotion& motion, History& history) const {
     ContactForce force{.normal = normal_stiffness * geometry.depth};
-    const double before = history.tangential_force;
-    const double trial =
-        before - tangential_stiffness * motion.tangential_velocity * motion.time_step;
-    const double cap = friction * force.normal;
-    force.tangential = std::clamp(trial, -cap, cap);
-    // What the spring does not take up is slip, against the mean force of the step.
-    if (tangential_stiffness > 0)
-      force.slipped = std::abs(0.5 * (before + force.tangential) * (trial - force.tangential)) /
-                      tangential_stiffness;
-    history.tangential_force = force.tangential;
+    const CoulombSlip slip =
+        coulomb_slip(history.tangential_force, tangential_stiffness, motion.tangential_velocity,
+                     motion.time_step, friction * force.normal);
+    force.tangential = history.tangential_force = slip.force;
+    force.slipped = slip.slipped;
     return force;
   }
 
   [[nodiscard]] double stored_energy(const ContactGeometry& geometry,
                                      const History& history) const {
-    const double normal = 0.5 * normal_stiffness * geometry.depth * geometry.depth;
-    if (tangential_stiffness == 0) return normal;
-    return normal + 0.5 * history.tangential_force * history.tangential_force /
-                        tangential_stiffness;
+    return 0.5 * normal_stiffness * geometry.depth * geometry.depth +
+           tangential_energy(history.tangential_force, tangential_stiffness);
   }
 
   [[nodiscard]] double peak_stiffness() const {

@@ -12,6 +12,7 @@
 #include <boost/geometry/core/point_order.hpp>
 #include <boost/geometry/core/tag.hpp>
 #include <boost/geometry/core/tags.hpp>
+#include <boost/mpl/int.hpp>
 #include <cstddef>
 
 #include <riprap/core/vec2.hpp>
@@ -32,7 +33,7 @@ struct coordinate_system<riprap::Vec2> {
   using type = cs::cartesian;
 };
 template <>
-struct dimension<riprap::Vec2> : std::integral_constant<std::size_t, 2> {};
+struct dimension<riprap::Vec2> : mpl::int_<2> {};  // std::integral_constant: not in Boost 1.74
 
 template <std::size_t Axis>
 struct access<riprap::Vec2, Axis> {

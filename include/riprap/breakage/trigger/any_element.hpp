@@ -1,0 +1,17 @@
+#pragma once
+/// @file
+/// A particle breaks as soon as any of its elements has failed.
+
+#include <riprap/breakage/trigger/concepts.hpp>
+
+namespace riprap {
+
+/// Brittle to the last: strength is that of the most loaded element, and so depends on the mesh.
+struct AnyElement {
+  [[nodiscard]] bool operator()(const FailureTally& tally) const { return tally.failed > 0; }
+  void validate() const {}
+};
+
+static_assert(BreakageTrigger<AnyElement>);
+
+}  // namespace riprap

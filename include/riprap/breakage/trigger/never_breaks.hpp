@@ -1,0 +1,18 @@
+#pragma once
+/// @file
+/// Elements may fail, particles never break: for watching Rat alone. The file to copy for a trigger
+/// of your own.
+
+#include <riprap/breakage/trigger/concepts.hpp>
+
+namespace riprap {
+
+/// Always false.
+struct NeverBreaks {
+  [[nodiscard]] bool operator()(const FailureTally&) const { return false; }
+  void validate() const {}
+};
+
+static_assert(BreakageTrigger<NeverBreaks>);
+
+}  // namespace riprap

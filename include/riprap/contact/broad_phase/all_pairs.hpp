@@ -1,0 +1,26 @@
+#pragma once
+/// @file
+/// Compares every box with every other: the oracle that other broad phases are tested against.
+
+#include <cstddef>
+#include <span>
+
+#include <riprap/contact/broad_phase/concepts.hpp>
+
+namespace riprap {
+
+/// Quadratic in the number of bodies; for a few dozen it is as good as any.
+struct AllPairs {
+  double relative_skin = 0.1;  ///< over the mean diameter [-]
+
+  template <class Visit>
+  void visit_pairs(std::span<const Box> boxes, Visit&& visit) const {
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      for (std::size_t j = i + 1; j < boxes.size(); ++j)
+        if (boxes[i].meets(boxes[j])) visit(static_cast<BodyIndex>(i), static_cast<BodyIndex>(j));
+  }
+};
+
+static_assert(BroadPhase<AllPairs>);
+
+}  // namespace riprap

@@ -1,0 +1,36 @@
+#pragma once
+/// @file
+/// A tangential spring cut by Coulomb friction: the part that contact laws have in common.
+
+#include <algorithm>
+#include <cmath>
+
+#include <riprap/core/errors.hpp>
+
+namespace riprap {
+
+/// Tangential force after a step, and the energy that slip has taken.
+struct CoulombSlip {
+  double force = 0;    ///< [N]
+  double slipped = 0;  ///< [J], >= 0
+};
+
+/// The spring grows by -stiffness * velocity * time and is cut at +-cap (Cundall and Strack 1979).
+/// What the spring does not take up is slip, against the mean force of the step.
+/// @param before force before the step [N]; @param cap friction times normal force [N], >= 0
+[[nodiscard]] inline CoulombSlip coulomb_slip(double before, double stiffness, double velocity,
+                                              double time_step, double cap) {
+  const double trial = before - stiffness * velocity * time_step;
+  CoulombSlip result{.force = std::clamp(trial, -cap, cap)};
+  if (stiffness > 0)
+    result.slipped =
+        std::abs(0.5 * (before + result.force) * (trial - result.force)) / stiffness;
+  return result;
+}
+
+/// Energy stored in the spring [J].
+[[nodiscard]] inline double tangential_energy(double force, double stiffness) {
+  return stiffness > 0 ? 0.5 * force * force / stiffness : 0;
+}
+
+}  // namespace riprap

@@ -1,0 +1,25 @@
+#pragma once
+/// @file
+/// Contacts without force: bodies pass through each other. The file to copy for a law of your own.
+
+#include <riprap/contact/law/concepts.hpp>
+
+namespace riprap {
+
+/// Zero force, nothing stored; finds who would touch whom.
+struct NoContactForce {
+  struct History {};
+
+  [[nodiscard]] ContactForce operator()(const ContactGeometry&, const ContactMotion&,
+                                        History&) const {
+    return {};
+  }
+  [[nodiscard]] double stored_energy(const ContactGeometry&, const History&) const { return 0; }
+  /// Sets the time step where nothing else does [N/m].
+  [[nodiscard]] double peak_stiffness() const { return 2e7; }
+  void validate() const {}
+};
+
+static_assert(ContactLaw<NoContactForce>);
+
+}  // namespace riprap

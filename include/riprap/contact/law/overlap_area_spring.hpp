@@ -1,0 +1,58 @@
+#pragma once
+/// @file
+/// A contact law whose normal force comes from an energy of the overlap area: exactly conservative.
+
+#include <algorithm>
+
+#include <riprap/contact/law/concepts.hpp>
+#include <riprap/contact/law/coulomb_slip.hpp>
+
+namespace riprap {
+
+/// Energy W = area_stiffness * area^2 / 2, force W'(area) * chord = area_stiffness * area * chord
+/// along the chord's normal at its middle. Under any rigid motion of the two bodies the area changes
+/// by chord times the normal displacement at the middle of the chord (divergence theorem), so the
+/// normal force does no net work round a closed path, turns included; LinearSpringCoulomb's does.
+/// The tangential spring is that of LinearSpringCoulomb.
+struct OverlapAreaSpring {
+  double area_stiffness = 6e11;       ///< [N/m^3]; 2 k_n / chord^2 matches k_n at a chord
+  double tangential_stiffness = 2e7;  ///< k_s [N/m]
+  double friction = 0.5;              ///< mu [-]
+  double largest_chord = 0.016;       ///< [m]; with it the time step is chosen
+
+  struct History {
+    double tangential_force = 0;  ///< on b along the tangent [N]
+  };
+
+  [[nodiscard]] ContactForce operator()(const ContactGeometry& geometry,
+                                        const ContactMotion& motion, History& history) const {
+    ContactForce force{.normal = area_stiffness * geometry.area * geometry.chord};
+    const CoulombSlip slip =
+        coulomb_slip(history.tangential_force, tangential_stiffness, motion.tangential_velocity,
+                     motion.time_step, friction * force.normal);
+    force.tangential = history.tangential_force = slip.force;
+    force.slipped = slip.slipped;
+    return force;
+  }
+
+  [[nodiscard]] double stored_energy(const ContactGeometry& geometry,
+                                     const History& history) const {
+    return 0.5 * area_stiffness * geometry.area * geometry.area +
+           tangential_energy(history.tangential_force, tangential_stiffness);
+  }
+  /// Slope of the force for two flat faces of the largest chord.
+  [[nodiscard]] double peak_stiffness() const {
+    return std::max(area_stiffness * largest_chord * largest_chord, tangential_stiffness);
+  }
+
+  void validate() const {
+    require_positive("OverlapAreaSpring.area_stiffness", area_stiffness);
+    require_non_negative("OverlapAreaSpring.tangential_stiffness", tangential_stiffness);
+    require_non_negative("OverlapAreaSpring.friction", friction);
+    require_positive("OverlapAreaSpring.largest_chord", largest_chord);
+  }
+};
+
+static_assert(ContactLaw<OverlapAreaSpring>);
+
+}  // namespace riprap

@@ -1,0 +1,65 @@
+#pragma once
+/// @file
+/// Linear springs with a normal dashpot and Coulomb slip.
+
+#include <algorithm>
+#include <cmath>
+
+#include <riprap/contact/law/concepts.hpp>
+#include <riprap/contact/law/coulomb_slip.hpp>
+
+namespace riprap {
+
+/// F_n = k_n depth - c v_n with c = 2 zeta sqrt(k_n m_eff); the tangential spring is that of
+/// LinearSpringCoulomb. Two variants are in use and differ by up to 0.14 in the restitution: the
+/// force may pull at the end of a collision, e = exp(-pi zeta / sqrt(1 - zeta^2)), or is clamped at
+/// zero, e = exp(-zeta / sqrt(1 - zeta^2) atan2(2 zeta sqrt(1 - zeta^2), 2 zeta^2 - 1))
+/// (Schwager and Poeschel 2007).
+struct SpringDashpot {
+  double normal_stiffness = 2e7;      ///< k_n [N/m]
+  double tangential_stiffness = 2e7;  ///< k_s [N/m]
+  double friction = 0.5;              ///< mu [-]
+  double damping_ratio = 0.2;         ///< zeta [-], in [0, 1)
+  bool may_pull = false;              ///< false: clamped, never tension
+
+  struct History {
+    double tangential_force = 0;  ///< on b along the tangent [N]
+  };
+
+  [[nodiscard]] ContactForce operator()(const ContactGeometry& geometry,
+                                        const ContactMotion& motion, History& history) const {
+    const double spring = normal_stiffness * geometry.depth;
+    const double viscosity =
+        2 * damping_ratio * std::sqrt(normal_stiffness * motion.effective_mass);
+    ContactForce force{.normal = spring - viscosity * motion.normal_velocity};
+    if (!may_pull) force.normal = std::max(force.normal, 0.0);
+    force.damped = (spring - force.normal) * motion.normal_velocity * motion.time_step;
+    const CoulombSlip slip =
+        coulomb_slip(history.tangential_force, tangential_stiffness, motion.tangential_velocity,
+                     motion.time_step, friction * std::max(force.normal, 0.0));
+    force.tangential = history.tangential_force = slip.force;
+    force.slipped = slip.slipped;
+    return force;
+  }
+
+  [[nodiscard]] double stored_energy(const ContactGeometry& geometry,
+                                     const History& history) const {
+    return 0.5 * normal_stiffness * geometry.depth * geometry.depth +
+           tangential_energy(history.tangential_force, tangential_stiffness);
+  }
+  [[nodiscard]] double peak_stiffness() const {
+    return std::max(normal_stiffness, tangential_stiffness);
+  }
+
+  void validate() const {
+    require_positive("SpringDashpot.normal_stiffness", normal_stiffness);
+    require_non_negative("SpringDashpot.tangential_stiffness", tangential_stiffness);
+    require_non_negative("SpringDashpot.friction", friction);
+    require(damping_ratio >= 0 && damping_ratio < 1, "SpringDashpot.damping_ratio", damping_ratio,
+            "must lie in [0, 1)");
+  }
+};
+
+static_assert(ContactLaw<SpringDashpot>);
+
+}  // namespace riprap
