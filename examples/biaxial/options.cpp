@@ -3,7 +3,9 @@
 #include "options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdlib>
+#include <stdexcept>
 
 namespace {
 
@@ -19,11 +21,12 @@ void read_vertices(const std::string& text, Options& options) {
       high = std::stoul(text.substr(dash + 1), &used);
       if (used != text.size() - dash - 1) throw std::invalid_argument(text);
     }
+    if (std::max(low, high) > riprap::max_polygon_vertices) throw std::out_of_range(text);
     options.fewest_vertices = static_cast<unsigned>(low);
     options.most_vertices = static_cast<unsigned>(high);
   } catch (const std::logic_error&) {
     throw CLI::ValidationError("--vertices", "'" + text + "' is neither a count such as 4 nor a "
-                                             "range such as 3-5");
+                                             "range such as 3-5, of at most 64");
   }
 }
 
@@ -87,4 +90,13 @@ AnyLineFit chosen_line_fit(const Options& options) {
 AnyPlane chosen_plane(const Options& options) {
   if (options.plane == "strain") return {riprap::PlaneStrain{}};
   return {riprap::PlaneStress{}};
+}
+
+riprap::RandomAssembly chosen_assembly(const Options& options) {
+  return {.count = options.particles,
+          .mean_diameter = options.mean_diameter,
+          .thickness = options.thickness,
+          .seed = options.seed,
+          .shape = {.fewest_vertices = options.fewest_vertices,
+                    .most_vertices = options.most_vertices}};
 }

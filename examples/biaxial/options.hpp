@@ -32,6 +32,9 @@ struct Options {
   std::string out = "biaxial-out";
 };
 
+// What random_assembly is to make.
+riprap::RandomAssembly chosen_assembly(const Options& options);
+
 // Fills the options from the command line; exits on --help and on unknown or malformed options.
 Options read_options(int argc, char** argv);
 

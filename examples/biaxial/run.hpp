@@ -62,19 +62,12 @@ void run(const Options& o, ModelType model) {
   using namespace riprap;
   const std::filesystem::path folder = o.out;
   std::filesystem::create_directories(folder);
-  Simulation sim{std::move(model),
-                 random_assembly({.count = o.particles,
-                                  .mean_diameter = o.mean_diameter,
-                                  .thickness = o.thickness,
-                                  .seed = o.seed,
-                                  .shape = {.fewest_vertices = o.fewest_vertices,
-                                            .most_vertices = o.most_vertices}}),
-                 Rock{}};
+  Simulation sim{std::move(model), random_assembly(chosen_assembly(o)), Rock{}};
   const BiaxialTest test{.confining_pressure = o.pressure,
                          .axial_strain = o.strain,
                          .inertial_number = o.inertial_number};
   Curve curve;
-  RangeCheck ranges;
+  Progress progress;
   const auto write_records = [&] {
     write_csv(folder / "curve.csv", curve);
     write_file(folder / "energy.csv", energy_csv(curve));
@@ -83,12 +76,12 @@ void run(const Options& o, ModelType model) {
   };
   BiaxialResult result;
   try {
-    result = test.run(sim, curve, ranges, Pictures{folder}, Progress{});
-  } catch (const SimulationError&) {
+    result = test.run(sim, curve, Pictures{folder}, progress);
+  } catch (...) {
     write_records();  // what was computed is kept
     throw;
   }
   write_records();
-  write_file(folder / "summary.json", summary(o, sim, test, result, curve, ranges).dump(2) + "\n");
-  print_summary(curve, folder.string());
+  write_file(folder / "summary.json", summary(o, sim, test, result, curve, progress.warnings()).dump(2) + "\n");
+  print_summary(o, sim, curve, folder.string());
 }

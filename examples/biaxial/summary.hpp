@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "options.hpp"
 
@@ -27,62 +29,99 @@ inline Json point_json(const riprap::CurvePoint& p) {
           {"porosity", p.porosity}};
 }
 
+inline Json assembly_json(const riprap::RandomAssembly& a) {
+  return {{"particles", a.count},
+          {"seed", a.seed},
+          {"mean_diameter_m", a.mean_diameter},
+          {"thickness_m", a.thickness},
+          {"smallest_diameter", a.smallest_diameter},
+          {"largest_diameter", a.largest_diameter},
+          {"vertices", {a.shape.fewest_vertices, a.shape.most_vertices}},
+          {"axis_ratios", {a.shape.smallest_axis_ratio, a.shape.largest_axis_ratio}},
+          {"angle_jitter", a.shape.angle_jitter},
+          {"solid_fraction", a.solid_fraction},
+          {"dense_fraction", a.dense_fraction},
+          {"boundary_spacing", a.boundary_spacing}};
+}
+
+inline Json test_json(const riprap::BiaxialTest& t) {
+  return {{"confining_pressure_Pa", t.confining_pressure},
+          {"axial_strain", t.axial_strain},
+          {"inertial_number", t.inertial_number},
+          {"record_every", t.record_every},
+          {"jam_pressure_Pa", t.jam_pressure},
+          {"jam_kinetic_ratio", t.jam_kinetic_ratio},
+          {"compaction_inertial_number", t.compaction_inertial_number},
+          {"rest_unbalanced_force", t.rest_unbalanced_force},
+          {"hydrostatic_tolerance", t.hydrostatic_tolerance},
+          {"hydrostatic_unbalanced_force", t.hydrostatic_unbalanced_force},
+          {"most_steps", t.most_steps}};
+}
+
+inline Json criterion_json(const riprap::HoekBrown& c) {
+  return {{"name", "hoek-brown"},
+          {"compressive_strength_Pa", c.compressive_strength},
+          {"m_b", c.m_b},
+          {"s", c.s},
+          {"a_b", c.a_b},
+          {"angle", c.angle == riprap::HoekBrown::Angle::tangent ? "tangent" : "equivalent"}};
+}
+inline Json criterion_json(const riprap::MohrCoulomb& c) {
+  return {{"name", "mohr-coulomb"},
+          {"cohesion_Pa", c.cohesion},
+          {"angle_rad", c.angle},
+          {"tension_Pa", c.tension}};
+}
+
+// Every parameter, read from what was run.
 template <class Sim>
 Json parameters_json(const Options& o, const Sim& sim, const riprap::BiaxialTest& test) {
   const auto& law = sim.contacts().law();
-  Json j = {{"particles", o.particles},
-            {"seed", o.seed},
-            {"confining_pressure_Pa", o.pressure},
-            {"axial_strain", o.strain},
-            {"mean_diameter_m", o.mean_diameter},
-            {"thickness_m", o.thickness},
-            {"vertices", {o.fewest_vertices, o.most_vertices}},
-            {"density_kg_m3", sim.rock().density},
-            {"young_Pa", sim.rock().young},
-            {"poisson", sim.rock().poisson},
-            {"normal_stiffness_N_m", law.normal_stiffness},
-            {"tangential_stiffness_N_m", law.tangential_stiffness},
-            {"friction", law.friction},
-            {"local_damping", sim.model().motion_model.damping.coefficient},
-            {"time_step_s", sim.time_step()},
-            {"inertial_number", o.inertial_number},
-            {"jam_pressure_Pa", test.jam_pressure},
-            {"jam_kinetic_ratio", test.jam_kinetic_ratio},
-            {"compaction_inertial_number", test.compaction_inertial_number},
-            {"rest_unbalanced_force", test.rest_unbalanced_force},
-            {"hydrostatic_tolerance", test.hydrostatic_tolerance},
-            {"hydrostatic_unbalanced_force", test.hydrostatic_unbalanced_force},
-            {"breakage", o.breakage}};
-  if (!o.breakage) return j;
-  const riprap::HoekBrown hoek_brown;
-  const riprap::MohrCoulomb mohr_coulomb;
-  j["criterion"] = o.criterion;
-  if (o.criterion == "hoek-brown")
-    j["strength"] = {{"compressive_strength_Pa", hoek_brown.compressive_strength},
-                     {"m_b", hoek_brown.m_b},
-                     {"s", hoek_brown.s},
-                     {"a_b", hoek_brown.a_b}};
-  else
-    j["strength"] = {{"cohesion_Pa", mohr_coulomb.cohesion},
-                     {"angle_rad", mohr_coulomb.angle},
-                     {"tension_Pa", mohr_coulomb.tension}};
-  j["line_fit"] = o.line_fit;
-  j["support"] = o.support;
-  j["plane"] = o.plane;
-  j["mesh_triangles"] = o.mesh_triangles;
-  j["ratf"] = o.ratf;
-  j["check_every"] = o.check_every;
-  j["minimum_piece_area"] = o.minimum_piece_area;
-  j["maximum_piece_aspect"] = o.maximum_piece_aspect;
+  const auto& motion = sim.model().motion_model;
+  Json j = {{"assembly", assembly_json(chosen_assembly(o))},
+            {"test", test_json(test)},
+            {"rock",
+             {{"density_kg_m3", sim.rock().density},
+              {"young_Pa", sim.rock().young},
+              {"poisson", sim.rock().poisson}}},
+            {"contact",
+             {{"law", "linear springs with Coulomb slip"},
+              {"normal_stiffness_N_m", law.normal_stiffness},
+              {"tangential_stiffness_N_m", law.tangential_stiffness},
+              {"friction", law.friction},
+              {"relative_skin", sim.model().contact_model.broad_phase.relative_skin}}},
+            {"motion",
+             {{"integrator", "symplectic Euler"},
+              {"local_damping", motion.damping.coefficient},
+              {"time_step_fraction", motion.time_step.fraction},
+              {"time_step_s", sim.time_step()}}}};
+  if constexpr (Sim::breakable) {
+    const auto& stress = sim.model().stress_model;
+    const auto& breakage = sim.model().breakage_model;
+    j["stress"] = {{"plane", o.plane},
+                   {"support", o.support},
+                   {"mesh_triangles", stress.mesher.triangles}};
+    j["breakage"] = {
+        {"criterion",
+         std::visit([](const auto& c) { return criterion_json(c); }, breakage.criterion.chosen)},
+        {"ratf", breakage.trigger.critical},
+        {"line_fit", o.line_fit},
+        {"minimum_piece_area", breakage.splitter.minimum_area},
+        {"maximum_piece_aspect", breakage.splitter.maximum_aspect},
+        {"check_every", breakage.check_every}};
+  } else {
+    j["breakage"] = "off";
+  }
   return j;
 }
 
-// The largest of a value over the curve from a strain on.
+// The largest of a value over the curve from a strain on; not a number if any is not.
 template <class Value>
 double largest(const riprap::Curve& curve, double from_strain, Value value) {
   double most = 0;
   for (const riprap::CurvePoint& p : curve.points())
-    if (p.axial_strain >= from_strain) most = std::max(most, static_cast<double>(value(p)));
+    if (const auto v = static_cast<double>(value(p)); p.axial_strain >= from_strain && !(v <= most))
+      most = v;
   return most;
 }
 
@@ -91,7 +130,6 @@ Json numbers_json(const Options& o, const Sim& sim, const riprap::BiaxialResult&
                   const riprap::Curve& curve) {
   using P = riprap::CurvePoint;
   const auto& law = sim.contacts().law();
-  const double mass_time = std::sqrt(sim.smallest_mass() / law.peak_stiffness());
   double fabric_gap = 0;
   double simplified_gap = 0;
   double full_gap = 0;
@@ -105,7 +143,8 @@ Json numbers_json(const Options& o, const Sim& sim, const riprap::BiaxialResult&
       {"kappa", riprap::stiffness_level(o.pressure, o.thickness, law.normal_stiffness)},
       {"pressure_over_compressive_strength",
        o.pressure / chosen_criterion(o).major_stress_at_failure(0)},
-      {"time_step_over_sqrt_m_k", sim.time_step() / mass_time},
+      {"time_step_over_sqrt_m_k",
+       riprap::time_step_ratio(sim.time_step(), sim.particles(), law.peak_stiffness())},
       {"axial_rate_1_s", result.axial_rate},
       {"inertial_number_largest",
        largest(curve, 0, [](const P& p) { return p.inertial_number; })},
@@ -127,12 +166,13 @@ Json numbers_json(const Options& o, const Sim& sim, const riprap::BiaxialResult&
 template <class Sim>
 Json summary(const Options& o, const Sim& sim, const riprap::BiaxialTest& test,
              const riprap::BiaxialResult& result, const riprap::Curve& curve,
-             const riprap::RangeCheck& ranges) {
+             const std::vector<std::string>& warnings) {
   Json stages = Json::array();
   for (std::size_t i = 0; i < result.stages.size(); ++i)
     stages.push_back({{"stage", riprap::to_text(static_cast<riprap::Stage>(i))},
                       {"steps", result.stages[i].steps},
                       {"reached_target", result.stages[i].reached_target},
+                      {"servo_saturated_steps", result.stages[i].saturated_steps},
                       {"wall_s", result.stages[i].wall_seconds}});
   return {{"riprap", riprap::version},
           {"parameters", parameters_json(o, sim, test)},
@@ -145,18 +185,27 @@ Json summary(const Options& o, const Sim& sim, const riprap::BiaxialTest& test,
             {"breakages_before_shear", curve.breakages_before_shear()}}},
           {"energy_error", curve.points().back().energy_error()},
           {"stages", stages},
-          {"warnings", ranges.warnings()}};
+          {"warnings", warnings}};
 }
 
-inline void print_summary(const riprap::Curve& curve, const std::string& folder) {
+template <class Sim>
+void print_summary(const Options& o, const Sim& sim, const riprap::Curve& curve,
+                   const std::string& folder) {
   const riprap::CurvePoint& peak = curve.peak();
   const riprap::CurvePoint& end = curve.points().back();
+  const auto& law = sim.contacts().law();
   std::printf(
       "peak sin phi %.3f at %.1f %% strain; at the end sin phi %.3f, volumetric strain %.2f %%,\n"
-      "coordination %.2f, %zu breakages in shear, %zu before\n"
+      "coordination %.2f, %zu breakages in shear, %zu before\n",
+      peak.sin_phi(), 100 * peak.axial_strain, end.sin_phi(), 100 * end.volumetric_strain,
+      end.coordination.coordination_number, end.breakages, curve.breakages_before_shear());
+  std::printf(
+      "kappa %.2g, overlap/d %.2g, inertial number %.2g, unbalanced force %.2g, dt/sqrt(m/k) %.2g\n",
+      riprap::stiffness_level(o.pressure, o.thickness, law.normal_stiffness), end.overlap_ratio,
+      end.inertial_number, end.state.unbalanced_force,
+      riprap::time_step_ratio(sim.time_step(), sim.particles(), law.peak_stiffness()));
+  std::printf(
       "results in %s: curves.svg, assembly_before.svg, assembly_after.svg, forces_before.svg,\n"
       "forces_after.svg, curve.csv, energy.csv, breakages.csv, summary.json\n",
-      peak.sin_phi(), 100 * peak.axial_strain, end.sin_phi(), 100 * end.volumetric_strain,
-      end.coordination.coordination_number, end.breakages, curve.breakages_before_shear(),
       folder.c_str());
 }

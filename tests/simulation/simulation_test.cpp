@@ -134,7 +134,7 @@ TEST_CASE("a square crushed between platens splits along the loading axis") {
     CHECK(start == std::vector<std::string>{"before_forces", "after_forces", "before_forces",
                                             "after_forces"});
     const std::vector<std::string> end(around.calls.end() - 3, around.calls.end());
-    CHECK(end == std::vector<std::string>{"before_splits", "on_break", "after_splits"});
+    CHECK(end == std::vector<std::string>{"before_splits", "after_splits", "on_break"});
   }
   SUBCASE("the pieces carry the load on: no force from nothing") {
     // Two pieces under the same platens: the sum of their loads is the parent's to within what the
@@ -192,9 +192,9 @@ TEST_CASE("a refused cut is not tried again while the contact partners stay the 
   CHECK(asked == 1);
   CHECK(sim.breaks().empty());
   // A platen is taken away: one partner fewer, the load is gone, nothing to ask.
-  sim.body(1).velocity = Vec2{0, 50};
+  sim.set_velocity(1, Vec2{0, 50});
   for (int i = 0; i < 200; ++i) sim.step();
-  sim.body(1).velocity = Vec2{0, -50};
+  sim.set_velocity(1, Vec2{0, -50});
   for (int i = 0; i < 400 && asked == 1; ++i) sim.step();
   CHECK(asked >= 2);
 }
@@ -237,9 +237,9 @@ TEST_CASE("two runs give the same bytes") {
 
 TEST_CASE("a simulation that runs away says which particle") {
   Simulation sim{crushing_model(), test::square_between_platens(0), Rock{}};
-  sim.body(0).velocity = Vec2{std::numeric_limits<double>::quiet_NaN(), 0};
+  sim.set_velocity(0, Vec2{std::numeric_limits<double>::quiet_NaN(), 0});
   try {
-    for (int i = 0; i < 2000; ++i) sim.step();
+    sim.step();
     FAIL("no error");
   } catch (const SimulationError& error) {
     CHECK(std::string(error.what()).find("particle 0") != std::string::npos);

@@ -48,10 +48,23 @@ struct Cross {
   }
 };
 
+/// The default springs, beside which every motion of a contact loses energy by decree.
+struct LossySprings : LinearSpringCoulomb {
+  double loss = 0;  ///< booked as lost in dashpots [J]
+
+  [[nodiscard]] ContactForce operator()(const ContactGeometry& geometry,
+                                        const ContactMotion& motion, History& history) const {
+    ContactForce force = LinearSpringCoulomb::operator()(geometry, motion, history);
+    if (motion.time_step > 0) force.damped = loss;
+    return force;
+  }
+};
+static_assert(ContactLaw<LossySprings>);
+
 /// What an observer of a biaxial test reads of a simulation, in a state set by hand.
 class StillSample {
  public:
-  using Contacts = ContactList<UniformGrid, OverlapChord, LinearSpringCoulomb>;
+  using Contacts = ContactList<UniformGrid, OverlapChord, LossySprings>;
   struct Work {
     double boundary = 0;
     double body_force = 0;
@@ -59,9 +72,9 @@ class StillSample {
   };
 
   explicit StillSample(const Cross& cross = {}, const LinearSpringCoulomb& law = {})
-      : particles_(cross.thickness, 2500), contacts_(UniformGrid{}, OverlapChord{}, law) {
-    for (const PlacedParticle& p : cross.assembly().particles)
-      particles_.add(p.polygon, p.motion);
+      : particles_(cross.thickness, 2500),
+        contacts_(UniformGrid{}, OverlapChord{}, LossySprings{law}) {
+    for (const PlacedParticle& p : cross.assembly().particles) particles_.add(p.polygon, p.motion);
     contacts_.update(particles_, 0);
   }
 
@@ -70,12 +83,14 @@ class StillSample {
   [[nodiscard]] const std::vector<BreakEvent>& breaks() const { return breaks_; }
   [[nodiscard]] const Work& work() const { return work_; }
   [[nodiscard]] double time_step() const { return time_step_; }
-  [[nodiscard]] double smallest_mass() const { return particles_.body(0).mass; }
+  [[nodiscard]] const Vec2& body_force() const { return body_force_; }
 
   [[nodiscard]] Body& body(BodyIndex i) { return particles_.body(i); }
   [[nodiscard]] std::vector<BreakEvent>& breaks() { return breaks_; }
   [[nodiscard]] Work& work() { return work_; }
   void set_time_step(double seconds) { time_step_ = seconds; }
+  void set_loss(double joules) { contacts_.law().loss = joules; }
+  void set_body_force(const Vec2& acceleration) { body_force_ = acceleration; }
   /// Loads the tangential springs: the driven squares have slid counter-clockwise by this much [m]
   /// on their way to where they are.
   void slide(double distance) {
@@ -91,6 +106,7 @@ class StillSample {
   Contacts contacts_;
   std::vector<BreakEvent> breaks_;
   Work work_;
+  Vec2 body_force_{0, 0};
   double time_step_ = 1e-6;
 };
 
@@ -98,7 +114,7 @@ class StillSample {
 [[nodiscard]] inline BiaxialView<StillSample> view_of(const StillSample& sample,
                                                       const BoundaryPolygon& boundary) {
   BiaxialView<StillSample> view{.sim = sample, .boundary = boundary, .stage = Stage::shear};
-  view.confining_pressure = 1e6;
+  view.confining_pressure = 2e6;
   view.mean_diameter = 0.016;
   view.area = boundary.area(sample.particles());
   return view;

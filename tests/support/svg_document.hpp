@@ -26,9 +26,7 @@ struct SvgElement {
     return found == attributes.end() ? std::string() : found->second;
   }
   /// The whole attribute as one finite number in plain decimals; throws if it is anything else.
-  [[nodiscard]] double number(const std::string& key) const {
-    return parsed(attributes.at(key));
-  }
+  [[nodiscard]] double number(const std::string& key) const { return parsed(attributes.at(key)); }
   [[nodiscard]] Vec2 at(const std::string& x, const std::string& y) const {
     return {number(x), number(y)};
   }
@@ -172,12 +170,12 @@ class SvgReader {
 /// printable ASCII characters, in thousandths of the font size.
 [[nodiscard]] inline double text_width(std::string_view text, double font_size) {
   static constexpr int advance[] = {
-      278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278,   // to /
-      556, 556, 556, 556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556,   // to ?
+      278,  278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278,  // to /
+      556,  556, 556, 556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556,  // to ?
       1015, 667, 667, 722, 722, 667, 611, 778, 722, 278, 500, 667, 556, 833, 722, 778,  // to O
-      667, 778, 722, 667, 611, 722, 667, 944, 667, 667, 611, 278, 278, 278, 469, 556,   // to _
-      333, 556, 556, 500, 556, 556, 278, 556, 556, 222, 222, 500, 222, 833, 556, 556,   // to o
-      556, 556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584};       // to ~
+      667,  778, 722, 667, 611, 722, 667, 944, 667, 667, 611, 278, 278, 278, 469, 556,  // to _
+      333,  556, 556, 500, 556, 556, 278, 556, 556, 222, 222, 500, 222, 833, 556, 556,  // to o
+      556,  556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584};      // to ~
   double sum = 0;
   for (const char c : text) {
     if (c < ' ' || c > '~') throw std::runtime_error("not printable ASCII");

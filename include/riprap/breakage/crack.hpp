@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <riprap/breakage/failure_tally.hpp>
@@ -40,15 +41,17 @@ template <FailureCriterion C>
 /// The line through the failed elements and the pieces on its two sides; nothing if there is no
 /// line or the splitter refuses.
 /// @param model  offers `criterion`, `line_fit` and `splitter`
+/// @param tally  of `stress` under the criterion
 /// @param stress of the elements of `mesh`, in the body's own frame
 /// @param ring   of the particle, in laboratory coordinates
+/// @param mean_area of the intact particles [m^2]
 template <class BreakagePart>
-[[nodiscard]] std::optional<Crack> find_crack(const BreakagePart& model, const Mesh& mesh,
-                                              const ElementStress& stress, const Body& body,
-                                              Ring ring, double mean_area) {
+[[nodiscard]] std::optional<Crack> find_crack(const BreakagePart& model, const FailureTally& tally,
+                                              const Mesh& mesh, const ElementStress& stress,
+                                              const Body& body, Ring ring, double mean_area) {
+  const Stress2 first = stress[tally.first_failed];
   Crack crack;
-  crack.tally = tally_failures(model.criterion, stress);
-  const Stress2 first = stress[crack.tally.first_failed];
+  crack.tally = tally;
   crack.mode = evaluate(model.criterion, first).mode;
   const FailurePlanes planes =
       failure_planes(model.criterion, first.rotated(body.rotation), crack.mode);

@@ -35,7 +35,9 @@ struct ElementFailure {
 /// Eq. 2, compression positive. Tension first: sigma_3 <= -sigma_t, SF = sigma_t / |sigma_3|. Then
 /// shear: sigma_1 >= sigma_1f, SF = sigma_1f / sigma_1. An intact element without compression has
 /// no ratio: infinity. In the narrow band next to the tensile strength where sigma_1f itself is not
-/// positive, the ratio of eq. 2 has no meaning; such an element counts as failed in tension.
+/// positive, the ratio of eq. 2 has no meaning; such an element counts as failed in tension. Just
+/// above that band sigma_1f is small and the ratio, as eq. 2 has it, falls towards 0: one such
+/// element can outweigh all others in the line fit.
 template <FailureCriterion C>
 [[nodiscard]] ElementFailure evaluate(const C& criterion, const Stress2& stress) {
   const double centre = stress.mean();

@@ -74,8 +74,11 @@ class ContactList {
     for (ContactType& contact : pairs_) evaluate(contact, particles, time_step);
   }
 
+  /// Has the pairs found anew at the next update, whatever has moved.
+  void invalidate() { built_for_.clear(); }
+
   /// After the particle at `parent` has broken: the piece there now keeps the contacts, but those
-  /// with `of_second(point)` go to the piece at `second`, forces and all.
+  /// with `of_second(point)` go to the piece at `second`, histories and all. Call update afterwards.
   template <class OfSecond>
   void divide(BodyIndex parent, BodyIndex second, OfSecond&& of_second) {
     for (ContactType& contact : pairs_) {
@@ -89,7 +92,7 @@ class ContactList {
       }
       contact.b = second;
     }
-    built_for_.clear();
+    invalidate();
   }
 
  private:

@@ -14,6 +14,7 @@ struct BiaxialResult {
   struct StageResult {
     std::uint64_t steps = 0;
     double wall_seconds = 0;
+    std::uint64_t saturated_steps = 0;  ///< in which a servo's rate was at its limit
     bool reached_target = false;  ///< false: the cap on its steps ended the stage
   };
   std::array<StageResult, 4> stages;  ///< in the order of Stage

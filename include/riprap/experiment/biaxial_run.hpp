@@ -11,6 +11,7 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include <riprap/core/errors.hpp>
 #include <riprap/experiment/biaxial_result.hpp>
@@ -23,6 +24,19 @@
 
 namespace riprap::internal {
 
+
+/// Puts something back when its scope is left, by an exception too.
+template <class Action>
+class Restore {
+ public:
+  explicit Restore(Action action) : action_(std::move(action)) {}
+  Restore(const Restore&) = delete;
+  Restore& operator=(const Restore&) = delete;
+  ~Restore() { action_(); }
+
+ private:
+  Action action_;
+};
 
 /// One biaxial test on its way.
 template <class Test, class Sim, class... Observers>
@@ -39,9 +53,12 @@ class BiaxialRun {
   }
 
   BiaxialResult run() {
-    stage(Stage::compaction, [&] { return compact(); });
-    stage(Stage::relaxation, [&] { return relax(); });
-    sim_.set_breakage(true);
+    {
+      const Restore breakage([this, wanted = sim_.breakage()] { sim_.set_breakage(wanted); });
+      sim_.set_breakage(false);
+      stage(Stage::compaction, [&] { return compact(); });
+      stage(Stage::relaxation, [&] { return relax(); });
+    }
     stage(Stage::hydrostatic, [&] { return pressurise(); });
     stage(Stage::shear, [&] { return shear(); });
     return result_;
@@ -66,6 +83,10 @@ class BiaxialRun {
     return average_stress(sim_.contacts(), view_.area, sim_.particles().thickness());
   }
 
+  [[nodiscard]] double unbalanced_force() const {
+    return state_numbers(sim_.contacts(), sim_.particles(), sim_.body_force()).unbalanced_force;
+  }
+
   template <class Program>
   void stage(Stage stage, Program&& program) {
     view_.stage = stage;
@@ -77,14 +98,17 @@ class BiaxialRun {
     tell([&](auto& o) { hooks::begin_stage(o, view_); });
     const std::uint64_t first_step = sim_.steps();
     const auto begun = std::chrono::steady_clock::now();
-    auto& outcome = result_.stages[static_cast<std::size_t>(stage)];
-    outcome.reached_target = program();
-    view_.reached_target = outcome.reached_target;
-    outcome.steps = sim_.steps() - first_step;
-    outcome.wall_seconds =
+    view_.reached_target = program();
+    outcome(stage).reached_target = view_.reached_target;
+    outcome(stage).steps = sim_.steps() - first_step;
+    outcome(stage).wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     view_.done = 1;
     tell([&](auto& o) { hooks::end_stage(o, view_); });
+  }
+
+  [[nodiscard]] BiaxialResult::StageResult& outcome(Stage stage) {
+    return result_.stages[static_cast<std::size_t>(stage)];
   }
 
   void step() {
@@ -124,13 +148,13 @@ class BiaxialRun {
   // Constant rate, without friction where the law knows friction, until slow and under stress. All
   // particles start with the velocity of the field, so that the sample contracts as a whole.
   bool compact() {
-    sim_.set_breakage(false);
     const double rate = rate_at(test_.compaction_inertial_number, test_.jam_pressure);
     auto& law = sim_.contact_law();
-    const auto original = law;
+    const Restore friction([&law, original = law] { law = original; });
     if constexpr (requires { law.friction = 0.0; }) law.friction = 0.0;
     for (BodyIndex i = 0; i < sim_.particles().size(); ++i)
-      if (Body& body = sim_.body(i); body.is_free()) body.velocity = -rate * body.position;
+      if (const Body& body = sim_.particles().body(i); body.is_free())
+        sim_.set_velocity(i, -rate * body.position);
     set_rate({rate, rate});
     // A jammed sample of sharp polygons fills about 0.8 of its boundary polygon.
     const double solid = boundary_.solid_area(sim_.particles());
@@ -141,7 +165,6 @@ class BiaxialRun {
              kinetic_energy(sim_.particles()) <=
                  test_.jam_kinetic_ratio * stored_energy(sim_.contacts());
     });
-    law = original;
     if (!jammed)
       throw SimulationError("compaction did not jam within " + std::to_string(test_.most_steps) +
                             " steps: mean stress " + to_text(stress().mean()) + " Pa");
@@ -149,9 +172,9 @@ class BiaxialRun {
   }
 
   bool relax() {
-    const double first = state_numbers(sim_.contacts(), sim_.particles()).unbalanced_force;
+    const double first = unbalanced_force();
     return step_until([] {}, [&] {
-      const double now = state_numbers(sim_.contacts(), sim_.particles()).unbalanced_force;
+      const double now = unbalanced_force();
       progress(std::log(now / first) / std::log(test_.rest_unbalanced_force / first));
       return now < test_.rest_unbalanced_force;
     });
@@ -169,16 +192,18 @@ class BiaxialRun {
       set_rate({servo_1.rate(p - s.s11, sim_.time_step()),
                 servo_2.rate(p - s.s22, sim_.time_step())});
     };
-    return step_until(steer, [&] {
+    const bool reached = step_until(steer, [&] {
       const Stress2 s = stress();
       const double miss = std::max(std::abs(s.s11 - p), std::abs(s.s22 - p)) / p;
       progress(0.9 * (1 - std::abs(p - s.mean()) / first));
       const bool good = miss <= test_.hydrostatic_tolerance &&
-                        state_numbers(sim_.contacts(), sim_.particles()).unbalanced_force <
+                        unbalanced_force() <
                             test_.hydrostatic_unbalanced_force;
       quiet = good ? quiet + 1 : 0;
       return quiet >= quiet_checks;
     });
+    outcome(Stage::hydrostatic).saturated_steps = servo_1.saturated() + servo_2.saturated();
+    return reached;
   }
 
   // Constant rate of engineering strain along axis 2, reached smoothly; the servo holds axis 1.
@@ -207,6 +232,7 @@ class BiaxialRun {
         next_record += test_.record_every;
       }
     }
+    outcome(Stage::shear).saturated_steps = servo.saturated();
     if (steps > 0) {
       result_.mean_confinement_error = error_sum / static_cast<double>(steps);
       result_.rms_confinement_error = std::sqrt(error_squares / static_cast<double>(steps));

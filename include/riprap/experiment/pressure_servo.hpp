@@ -3,12 +3,13 @@
 /// Holds a normal stress at a pressure by adjusting a strain rate.
 
 #include <algorithm>
+#include <cstdint>
 
 namespace riprap {
 
 /// Proportional and integral control of a strain rate [1/s], positive in shortening. The sample is
-/// taken as a spring of `stiffness` [Pa]; the loop is critically damped for it, with the time
-/// constant `response` [s]. A purely proportional servo drifts as the sample deforms.
+/// taken as a spring of `stiffness` [Pa]; the loop is critically damped for it, with both poles at
+/// -1 / (2 response). A purely proportional servo drifts as the sample deforms.
 class PressureServo {
  public:
   PressureServo(double stiffness, double response, double largest_rate)
@@ -22,15 +23,22 @@ class PressureServo {
     const double wanted = gain_ * shortfall + integral;
     const double rate = std::clamp(wanted, -largest_rate_, largest_rate_);
     // No winding up while the rate is at its limit.
-    if (rate == wanted) integral_ = integral;
+    if (rate == wanted)
+      integral_ = integral;
+    else
+      ++saturated_;
     return rate;
   }
+
+  /// Calls in which the rate was held at its limit.
+  [[nodiscard]] std::uint64_t saturated() const { return saturated_; }
 
  private:
   double gain_;
   double integral_gain_;
   double largest_rate_;
   double integral_ = 0;
+  std::uint64_t saturated_ = 0;
 };
 
 }  // namespace riprap

@@ -2,7 +2,6 @@
 /// @file
 /// Says when a dimensionless number leaves the range in which a biaxial test means something.
 
-#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,6 +15,7 @@ namespace riprap {
 
 /// Upper ends of the ranges.
 struct Limits {
+  double stiffness_level = 0.05;   ///< kappa; above: particles too soft
   double inertial_number = 1e-3;   ///< above: not quasi-static
   double overlap_ratio = 0.05;     ///< mean overlap over mean diameter; above: particles too soft
   double kinetic_ratio = 0.02;     ///< kinetic over stored energy, after 1 % strain
@@ -32,18 +32,30 @@ class RangeCheck {
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
   template <class Sim>
+  void begin_stage(const BiaxialView<Sim>& view) {
+    if (view.stage != Stage::hydrostatic) return;
+    const double mean = stress(view).mean();
+    if (mean > view.confining_pressure)
+      warnings_.push_back("relaxation left a mean stress of " + to_text(mean) +
+                          " Pa, above the confining pressure: the sample is unloaded to it");
+    check(view, "stiffness level kappa", limits_.stiffness_level,
+          stiffness_level(view.confining_pressure, view.sim.particles().thickness(),
+                          view.sim.contacts().law().peak_stiffness()));
+  }
+
+  template <class Sim>
   void record(const BiaxialView<Sim>& view) {
     const Particles& particles = view.sim.particles();
-    const auto& contacts = view.sim.contacts();
-    const Stress2 stress = average_stress(contacts, view.area, particles.thickness());
-    const StateNumbers state = state_numbers(contacts, particles);
+    const StateNumbers state =
+        state_numbers(view.sim.contacts(), particles, view.sim.body_force());
     check(view, "inertial number", limits_.inertial_number,
-          inertial_number(view.rate.y(), view.mean_diameter, particles.density(), stress.mean()));
+          inertial_number(view.rate.y(), view.mean_diameter, particles.density(),
+                          stress(view).mean()));
     check(view, "mean overlap over mean diameter", limits_.overlap_ratio,
           state.mean_overlap / view.mean_diameter);
     check(view, "time step over sqrt(m/k)", limits_.time_step_ratio,
-          view.sim.time_step() / std::sqrt(view.sim.smallest_mass() /
-                                           contacts.law().peak_stiffness()));
+          time_step_ratio(view.sim.time_step(), particles,
+                          view.sim.contacts().law().peak_stiffness()));
     if (view.axial_strain() < 0.01) return;
     check(view, "kinetic over stored energy", limits_.kinetic_ratio, state.kinetic_ratio());
     check(view, "unbalanced force", limits_.unbalanced_force, state.unbalanced_force);
@@ -57,6 +69,11 @@ class RangeCheck {
   }
 
  private:
+  template <class Sim>
+  [[nodiscard]] static Stress2 stress(const BiaxialView<Sim>& view) {
+    return average_stress(view.sim.contacts(), view.area, view.sim.particles().thickness());
+  }
+
   template <class Sim>
   void check(const BiaxialView<Sim>& view, const std::string& name, double limit, double value) {
     if (value <= limit || !seen_.insert(name).second) return;

@@ -8,10 +8,11 @@
 
 namespace riprap {
 
-/// Contacts of the free particles. A contact with a driven particle counts for one side only.
+/// Contacts of the N free particles. M counts a contact between two of them once and one with a
+/// driven particle half, so that the boundary does not dilute the mean.
 struct Coordination {
-  double contacts_per_particle = 0;  ///< M / N, every contact counted once: gamma of eq. 8
-  double coordination_number = 0;    ///< 2 M / N, the usual mean number of contacts
+  double contacts_per_particle = 0;  ///< M / N: gamma of eq. 8
+  double coordination_number = 0;    ///< 2 M / N: the mean number of contacts of a free particle
 };
 
 template <class Contacts>

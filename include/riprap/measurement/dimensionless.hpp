@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include <riprap/measurement/energy.hpp>
 #include <riprap/particle/particles.hpp>
@@ -24,6 +25,16 @@ namespace riprap {
   return pressure * thickness / normal_stiffness;
 }
 
+/// Time step over sqrt(m / k) of the lightest free body, as heavy as it is in the equations of motion
+/// [-].
+[[nodiscard]] inline double time_step_ratio(double time_step, const Particles& particles,
+                                            double stiffness) {
+  double lightest = std::numeric_limits<double>::infinity();
+  for (const Body& body : particles.bodies())
+    if (body.is_free()) lightest = std::min(lightest, body.mass_scaling * body.mass);
+  return time_step / std::sqrt(lightest / stiffness);
+}
+
 /// Means over the contacts and free bodies of one state.
 struct StateNumbers {
   std::size_t contacts = 0;
@@ -39,8 +50,10 @@ struct StateNumbers {
   }
 };
 
+/// @param body_force acceleration [m/s^2]: part of the resultant on a free body
 template <class Contacts>
-[[nodiscard]] StateNumbers state_numbers(const Contacts& contacts, const Particles& particles) {
+[[nodiscard]] StateNumbers state_numbers(const Contacts& contacts, const Particles& particles,
+                                         const Vec2& body_force = Vec2{0, 0}) {
   StateNumbers n;
   double force = 0;
   contacts.for_each_touching([&](const auto& c) {
@@ -55,7 +68,7 @@ template <class Contacts>
   for (const Body& body : particles.bodies()) {
     if (!body.is_free()) continue;
     ++free;
-    resultant += body.contact.force.norm();
+    resultant += (body.contact.force + body.mass * body_force).norm();
   }
   n.kinetic_energy = kinetic_energy(particles);
   n.stored_energy = stored_energy(contacts);

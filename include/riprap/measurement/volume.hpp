@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <riprap/geometry/cut.hpp>
+#include <riprap/geometry/overlap.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
 #include <riprap/particle/particles.hpp>
 
@@ -23,7 +25,7 @@ class BoundaryPolygon {
     std::sort(members_.begin(), members_.end(), [&](BodyIndex i, BodyIndex j) {
       const Vec2& p = particles.body(i).position;
       const Vec2& q = particles.body(j).position;
-      return std::atan2(p.y(), p.x()) < std::atan2(q.y(), q.x());
+      return std::pair(std::atan2(p.y(), p.x()), i) < std::pair(std::atan2(q.y(), q.x()), j);
     });
   }
 
@@ -50,16 +52,22 @@ class BoundaryPolygon {
   }
 
   /// Area of rock inside [m^2]: all free particles, and of each boundary particle the part between
-  /// the two sides of the polygon that meet at its centroid.
+  /// the two sides of the polygon that meet at its centroid. What neighbours on the ring have in
+  /// common inside counts once.
   [[nodiscard]] double solid_area(const Particles& particles) const {
     double sum = 0;
     for (BodyIndex i = 0; i < particles.size(); ++i)
       if (particles.body(i).is_free()) sum += particles.shape(i).area;
     const std::vector<Vec2> ring = vertices(particles);
     const std::size_t n = ring.size();
-    for (std::size_t k = 0; k < n; ++k)
-      sum += area_in_wedge(particles.ring(members_[k]), ring[k] - ring[(k + n - 1) % n],
-                           ring[(k + 1) % n] - ring[k], ring[k]);
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t next = (k + 1) % n;
+      const Ring here = particles.ring(members_[k]);
+      sum += area_in_wedge(here, ring[k] - ring[(k + n - 1) % n], ring[next] - ring[k], ring[k]);
+      const OverlapPolygon common =
+          overlap(here, particles.ring(members_[next]), Vec2{0, 0}, 0);
+      sum -= area_on_left(common.ring(), Line{ring[k], (ring[next] - ring[k]).normalized()});
+    }
     return sum;
   }
 
@@ -73,23 +81,24 @@ class BoundaryPolygon {
   }
 
  private:
+  [[nodiscard]] static std::vector<Vec2> part_on_left(Ring ring, const Line& line) {
+    if (ring.empty()) return {};
+    if (const auto parts = cut(ring, line)) return parts->left;
+    if (line.left_distance(area_properties(ring).centroid) < 0) return {};
+    return {ring.begin(), ring.end()};
+  }
+  [[nodiscard]] static double area_on_left(Ring ring, const Line& line) {
+    return area_properties(part_on_left(ring, line)).area;
+  }
+
   // Part of a convex ring to the left of both sides (a reflex corner: of either).
   [[nodiscard]] static double area_in_wedge(Ring ring, const Vec2& side_in, const Vec2& side_out,
                                             const Vec2& corner) {
     const bool reflex = cross(side_in, side_out) < 0;
     const double sign = reflex ? -1 : 1;
-    // For a reflex corner the part outside is the one that two half-planes bound.
-    std::vector<Vec2> part(ring.begin(), ring.end());
-    for (const Vec2& side : {side_in, side_out}) {
-      const Line line{corner, sign * side.normalized()};
-      if (const auto parts = cut(part, line)) {
-        part = parts->left;
-      } else if (line.left_distance(area_properties(part).centroid) < 0) {
-        part.clear();
-        break;
-      }
-    }
-    const double bounded = area_properties(part).area;
+    // At a reflex corner the part outside is the one that two half-planes bound.
+    const std::vector<Vec2> half = part_on_left(ring, {corner, sign * side_in.normalized()});
+    const double bounded = area_on_left(half, {corner, sign * side_out.normalized()});
     return reflex ? area_properties(ring).area - bounded : bounded;
   }
 
@@ -107,7 +116,7 @@ class BoundaryPolygon {
   std::vector<BodyIndex> members_;
 };
 
-/// Pores over the whole [-]. Rock counted twice where particles overlap is taken off.
+/// Pores over the whole [-]. Rock counted twice where particles in contact overlap is taken off.
 template <class Contacts>
 [[nodiscard]] double porosity(const BoundaryPolygon& boundary, const Particles& particles,
                               const Contacts& contacts) {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include <riprap/experiment/range_check.hpp>
 #include <riprap/experiment/stage.hpp>
@@ -21,9 +22,14 @@ class Progress {
  public:
   explicit Progress(std::FILE* out = stderr) : out_(out), in_place_(is_terminal(out)) {}
 
+  /// Everything that left its range so far.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return check_.warnings(); }
+
   template <class Sim>
   void begin_stage(const BiaxialView<Sim>& view) {
     begun_ = last_ = Clock::now();
+    check_.begin_stage(view);
+    print_warnings();
     print(view);
   }
   template <class Sim>

@@ -249,12 +249,15 @@ struct Model {
 
   /// Asks every policy that has rules of its own; throws InvalidInput.
   void validate() const {
+    contact_model.broad_phase.validate();
     contact_model.law.validate();
     motion_model.damping.validate();
     motion_model.time_step.validate();
     stress_model.mesher.validate();
     if constexpr (requires { breakage_model.criterion.validate(); })
       breakage_model.criterion.validate();
+    require(breakage_model.criterion.tensile_strength() > 0, "criterion.tensile_strength()",
+            breakage_model.criterion.tensile_strength(), "must be above 0");
     breakage_model.trigger.validate();
     breakage_model.splitter.validate();
     require(breakage_model.check_every >= 1, "Model.check_every", breakage_model.check_every,

@@ -3,6 +3,7 @@
 /// The simulation: particles, contacts and stress under one model, advanced step by step.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -33,7 +34,7 @@ struct BodyWork {
 ///     Simulation sim{Model{}.criterion(MohrCoulomb{}), random_assembly({.seed = 1}), Rock{}};
 ///     for (int i = 0; i < 1000; ++i) sim.step();
 ///
-/// Not copied (operators are large); moved freely.
+/// Moved, not copied: operators are large.
 template <class ModelType>
 class Simulation {
  public:
@@ -57,17 +58,19 @@ class Simulation {
       body.velocity = placed.velocity;
       body.angular_velocity = placed.angular_velocity;
       total_area += particles_.shape(i).area;
-      if (body.is_free()) smallest_mass_ = std::min(smallest_mass_, body.mass);
     }
     mean_area_ = total_area / static_cast<double>(particles_.size());
-    if (smallest_mass_ < std::numeric_limits<double>::infinity())
-      time_step_ = model_.motion_model.time_step.time_step(
-          smallest_mass_, model_.contact_model.law.peak_stiffness());
+    choose_time_step();
     refusals_.resize(particles_.size());
     contacts_.update(particles_, 0);
   }
 
-  /// One time step. Throws SimulationError, naming the particle, if a position is no longer finite.
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+  Simulation(Simulation&&) = default;
+  Simulation& operator=(Simulation&&) = default;
+
+  /// One time step. Throws SimulationError, naming the particle, if its motion is no longer finite.
   template <class... Observers>
   void step(Observers&... observers) {
     model_.motion_model.boundary.drive(particles_.bodies(), time_step_);
@@ -80,7 +83,6 @@ class Simulation {
     if constexpr (breakable)
       if (breakage_active_ && steps_ % model_.breakage_model.check_every == 0)
         break_particles(observers...);
-    if (steps_ % 1024 == 0) check_finite();
     (hooks::after_step(observers, *this), ...);
   }
 
@@ -101,22 +103,33 @@ class Simulation {
 
   // What an experiment may change between steps.
 
-  /// Bodies may be given velocities or other motions; masses and poses are the simulation's own.
-  [[nodiscard]] Body& body(BodyIndex i) { return particles_.body(i); }
+  /// Gives body i a velocity [m/s] and a spin [rad/s].
+  void set_velocity(BodyIndex i, const Vec2& velocity, double spin = 0) {
+    particles_.body(i).velocity = velocity;
+    particles_.body(i).angular_velocity = spin;
+  }
+  /// Frees or holds body i. Chooses the time step anew, for a lighter body may be free now.
+  void set_motion(BodyIndex i, Motion motion) {
+    particles_.body(i).motion = motion;
+    contacts_.invalidate();
+    choose_time_step();
+  }
   [[nodiscard]] auto& boundary() { return model_.motion_model.boundary; }
   [[nodiscard]] auto& contact_law() { return contacts_.law(); }
   [[nodiscard]] auto& damping() { return model_.motion_model.damping; }
   void set_breakage(bool active) { breakage_active_ = active; }
+  [[nodiscard]] bool breakage() const { return breakage_active_; }
   /// Acceleration of the uniform body force on free bodies [m/s^2].
   void set_body_force(const Vec2& acceleration) { body_force_ = acceleration; }
-  /// Shortens the time step [s], for tests of accuracy.
+  [[nodiscard]] const Vec2& body_force() const { return body_force_; }
+  /// Replaces the time step [s] that the rule chose; stability is the caller's affair.
   void set_time_step(double seconds) {
     require_positive("time step", seconds);
     time_step_ = seconds;
   }
 
-  /// Evaluates particle i now: its element stresses, in its own frame, good until the next call.
-  [[nodiscard]] const ElementStress& element_stress(BodyIndex i) const {
+  /// Evaluates particle i now: its element stresses, in its own frame.
+  [[nodiscard]] ElementStress element_stress(BodyIndex i) const {
     stress_.gather(particles_, contacts_);
     return stress_.evaluate(particles_, i);
   }
@@ -170,6 +183,7 @@ class Simulation {
         Wrench damped;
         const Wrench total = wrench(body, damped);
         integrator().advance(body, total, time_step_);
+        if (!is_finite(body)) refuse(i);
         book(before, body, damped, kick_time);
       } else {
         drift(body, time_step_);
@@ -207,42 +221,47 @@ class Simulation {
     work_.damping -= kick_time * (damped.force.dot(velocity) + damped.moment * spin);
   }
 
+  // All cracks are found before the first particle splits, for splitting changes the contacts that
+  // loaded the others.
   template <class... Observers>
   void break_particles(Observers&... observers) {
-    stress_.gather(particles_, contacts_);
-    broken_.clear();
-    for (BodyIndex i = 0; i < particles_.size(); ++i) {
-      if (!particles_.body(i).is_free() || stress_.contact_count(i) == 0) continue;
-      Refusal& refusal = refusals_[i];
-      if (refusal.active && refusal.partners == stress_.partners(i)) continue;
-      refusal.active = false;
-      const FailureTally tally =
-          tally_failures(model_.breakage_model.criterion, stress_.evaluate(particles_, i));
-      if (model_.breakage_model.trigger(tally)) broken_.push_back(i);
-    }
-    if (broken_.empty()) return;
-    std::sort(broken_.begin(), broken_.end(), [&](BodyIndex i, BodyIndex j) {
-      return particles_.ancestry(i).id < particles_.ancestry(j).id;
-    });
-    bool announced = false;
-    for (const BodyIndex i : broken_) {
-      const std::optional<Crack> crack =
-          find_crack(model_.breakage_model, stress_.influence(particles_, i).mesh(),
-                     stress_.evaluate(particles_, i), particles_.body(i), particles_.ring(i),
-                     mean_area_);
-      if (!crack) {
-        refusals_[i] = {true, stress_.partners(i)};
-        continue;
-      }
-      if (!std::exchange(announced, true))
-        (hooks::before_splits(observers, *this), ...);
-      split(i, *crack);
-      (hooks::on_break(observers, *this, breaks_.back()), ...);
-    }
-    if (!announced) return;
+    find_cracks();
+    if (cracks_.empty()) return;
+    const std::size_t first = breaks_.size();
+    (hooks::before_splits(observers, *this), ...);
+    for (const auto& [i, crack] : cracks_) split(i, crack);
     // Pieces meet their neighbours anew at the same poses; all other forces come out as they were.
     contacts_.update(particles_, 0);
     (hooks::after_splits(observers, *this), ...);
+    for (std::size_t k = first; k < breaks_.size(); ++k)
+      (hooks::on_break(observers, *this, breaks_[k]), ...);
+  }
+
+  // In the order of particle ids. A refused cut is remembered until the contact partners change.
+  void find_cracks() {
+    stress_.gather(particles_, contacts_);
+    cracks_.clear();
+    for (BodyIndex i = 0; i < particles_.size(); ++i) {
+      if (!particles_.body(i).is_free()) continue;
+      Refusal& refusal = refusals_[i];
+      if (refusal.active && refusal.partners == stress_.partners(i)) continue;
+      refusal.active = false;
+      if (stress_.contact_count(i) == 0) continue;
+      const auto& breakage = model_.breakage_model;
+      const ElementStress& stress = stress_.evaluate(particles_, i);
+      const FailureTally tally = tally_failures(breakage.criterion, stress);
+      if (!breakage.trigger(tally)) continue;
+      std::optional<Crack> crack =
+          find_crack(breakage, tally, stress_.influence(particles_, i).mesh(), stress,
+                     particles_.body(i), particles_.ring(i), mean_area_);
+      if (crack)
+        cracks_.emplace_back(i, std::move(*crack));
+      else
+        refusal = {true, stress_.partners(i)};
+    }
+    std::sort(cracks_.begin(), cracks_.end(), [&](const auto& p, const auto& q) {
+      return particles_.ancestry(p.first).id < particles_.ancestry(q.first).id;
+    });
   }
 
   // The left piece takes the parent's place, the right one is new.
@@ -273,14 +292,30 @@ class Simulation {
                        .areas = {particles_.shape(i).area, particles_.shape(second).area}});
   }
 
-  void check_finite() const {
+  [[nodiscard]] static bool is_finite(const Body& body) {
+    // A sum is finite only if all its terms are.
+    return std::isfinite(body.position.x() + body.position.y() + body.angular_velocity);
+  }
+  [[noreturn]] void refuse(BodyIndex i) const {
+    throw SimulationError(particle_text(particles_.ancestry(i).id) +
+                          ": motion is no longer finite at step " + std::to_string(steps_) +
+                          "; the time step may be too long");
+  }
+
+  // From the smallest intact free particle; of all particles where none is free.
+  void choose_time_step() {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    double free = none;
+    double any = none;
     for (BodyIndex i = 0; i < particles_.size(); ++i) {
       const Body& body = particles_.body(i);
-      if (!body.position.allFinite() || !body.velocity.allFinite())
-        throw SimulationError(particle_text(particles_.ancestry(i).id) +
-                              ": position or velocity is no longer finite at step " +
-                              std::to_string(steps_) + "; the time step is too long");
+      if (particles_.ancestry(i).generation > 0) continue;
+      any = std::min(any, body.mass);
+      if (body.is_free()) free = std::min(free, body.mass);
     }
+    smallest_mass_ = free < none ? free : any < none ? any : smallest_mass_;
+    time_step_ = model_.motion_model.time_step.time_step(smallest_mass_,
+                                                         contacts_.law().peak_stiffness());
   }
 
   [[nodiscard]] const auto& integrator() const { return model_.motion_model.integrator; }
@@ -291,7 +326,7 @@ class Simulation {
   Contacts contacts_;
   // Operators are built when first asked for, also by a const question.
   mutable ParticleStress<decltype(ModelType::stress_model)> stress_;
-  double smallest_mass_ = std::numeric_limits<double>::infinity();
+  double smallest_mass_ = 0;
   double mean_area_ = 0;
   double time_step_ = 0;
   double time_ = 0;
@@ -300,7 +335,7 @@ class Simulation {
   bool breakage_active_ = true;
   BodyWork work_;
   std::vector<Refusal> refusals_;
-  std::vector<BodyIndex> broken_;
+  std::vector<std::pair<BodyIndex, Crack>> cracks_;
   std::vector<BreakEvent> breaks_;
 };
 

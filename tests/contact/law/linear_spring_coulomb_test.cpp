@@ -11,11 +11,11 @@ namespace {
 
 constexpr LinearSpringCoulomb law{
     .normal_stiffness = 2e7, .tangential_stiffness = 1.2e7, .friction = 0.5};
-constexpr double depth = 5e-5;                               // [m], so N = 1000 N
-constexpr double cap = 0.5 * 2e7 * depth;                    // mu N = 500 N
-constexpr double time_step = 1e-6;                           // [s]
-constexpr double slip_way = 0.5 * 2e7 * depth / 1.2e7;       // where the spring reaches mu N [m]
-constexpr double round_off = 1e-12;                          // relative, for sums of 1000 terms
+constexpr double depth = 5e-5;                          // [m], so N = 1000 N
+constexpr double cap = 0.5 * 2e7 * depth;               // mu N = 500 N
+constexpr double time_step = 1e-6;                      // [s]
+constexpr double slip_way = 0.5 * 2e7 * depth / 1.2e7;  // where the spring reaches mu N [m]
+constexpr double round_off = 1e-12;                     // relative, for sums of 1000 terms
 
 ContactGeometry pressed(double penetration) {
   ContactGeometry geometry;

@@ -17,7 +17,7 @@ struct StraightCut {
 
   [[nodiscard]] std::optional<CutRings> operator()(Ring ring, const Line& line,
                                                    double mean_area) const {
-    std::optional<CutRings> parts = cut(ring, line);
+    std::optional<CutRings> parts = cut(ring, line, snap);
     if (parts && acceptable(parts->left, mean_area) && acceptable(parts->right, mean_area))
       return parts;
     return std::nullopt;
@@ -30,6 +30,10 @@ struct StraightCut {
   }
 
  private:
+  /// A crack that would pass a corner within a thousandth of the diameter ends in it: an edge shorter
+  /// than that would be meshed with triangles of no area.
+  static constexpr double snap = 1e-3;
+
   [[nodiscard]] bool acceptable(Ring piece, double mean_area) const {
     return area_properties(piece).area >= minimum_area * mean_area &&
            aspect(piece) <= maximum_aspect;

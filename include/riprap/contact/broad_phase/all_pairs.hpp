@@ -6,6 +6,7 @@
 #include <span>
 
 #include <riprap/contact/broad_phase/concepts.hpp>
+#include <riprap/core/errors.hpp>
 
 namespace riprap {
 
@@ -18,6 +19,10 @@ struct AllPairs {
     for (std::size_t i = 0; i < boxes.size(); ++i)
       for (std::size_t j = i + 1; j < boxes.size(); ++j)
         if (boxes[i].meets(boxes[j])) visit(static_cast<BodyIndex>(i), static_cast<BodyIndex>(j));
+  }
+
+  void validate() const {
+    require_non_negative("AllPairs.relative_skin", relative_skin);
   }
 };
 

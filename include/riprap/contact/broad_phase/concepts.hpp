@@ -28,11 +28,13 @@ struct Box {
 ///   knows what a rebuild costs.
 /// - `broad.visit_pairs(boxes, visit)`: calls `visit(i, j)` once for every pair i < j of boxes that
 ///   meet, in an order that depends on the boxes only.
+/// - `broad.validate()`: throws InvalidInput for parameters that break a rule.
 template <class B>
 concept BroadPhase =
     requires(const B& broad, std::span<const Box> boxes, void (*visit)(BodyIndex, BodyIndex)) {
       { broad.relative_skin } -> std::convertible_to<double>;
       broad.visit_pairs(boxes, visit);
+      broad.validate();
     };
 
 }  // namespace riprap

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <riprap/contact/broad_phase/concepts.hpp>
+#include <riprap/core/errors.hpp>
 
 namespace riprap {
 
@@ -39,6 +40,10 @@ struct RTree {
       for (const Entry& other : found)
         if (other.second > entry.second) visit(entry.second, other.second);
     }
+  }
+
+  void validate() const {
+    require_non_negative("RTree.relative_skin", relative_skin);
   }
 };
 

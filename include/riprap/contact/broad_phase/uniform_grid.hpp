@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <riprap/contact/broad_phase/concepts.hpp>
+#include <riprap/core/errors.hpp>
 
 namespace riprap {
 
@@ -41,6 +42,10 @@ struct UniformGrid {
           if (p.meets(q) && grid.cell_of(p.low.cwiseMax(q.low)) == cell)
             visit(members[k], members[l]);
         }
+  }
+
+  void validate() const {
+    require_non_negative("UniformGrid.relative_skin", relative_skin);
   }
 
  private:

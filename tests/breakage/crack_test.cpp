@@ -1,0 +1,144 @@
+#include <riprap/breakage/crack.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include <riprap/breakage/criterion/hoek_brown.hpp>
+#include <riprap/breakage/line_fit/failure_plane_through_centroid.hpp>
+#include <riprap/breakage/line_fit/no_line.hpp>
+#include <riprap/breakage/line_fit/total_least_squares.hpp>
+#include <riprap/breakage/splitter/straight_cut.hpp>
+#include <riprap/core/units.hpp>
+#include <support/near.hpp>
+#include <support/point_clouds.hpp>
+
+using namespace riprap;
+using namespace riprap::test;
+
+namespace {
+
+// A square of side 2 about the origin: 4 by 4 cells of two triangles each.
+Mesh square_mesh() {
+  Mesh mesh;
+  for (int j = 0; j <= 4; ++j)
+    for (int i = 0; i <= 4; ++i) mesh.nodes.push_back({0.5 * i - 1, 0.5 * j - 1});
+  for (std::uint32_t j = 0; j < 4; ++j)
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const std::uint32_t p = 5 * j + i;
+      mesh.triangles.push_back({p, p + 1, p + 6});
+      mesh.triangles.push_back({p, p + 6, p + 5});
+    }
+  return mesh;
+}
+
+// Tension along axis 1 in the two middle columns of cells, twice the strength; a little more in one
+// element. In the other cells there is no stress.
+constexpr std::size_t worst = 11;
+ElementStress torn_in_the_middle(const Mesh& mesh) {
+  ElementStress stress;
+  stress.reset(mesh.size());
+  for (std::size_t e = 0; e < mesh.size(); ++e)
+    if (std::abs(mesh.centroid(e).x()) < 0.5)
+      stress.set(e, {e == worst ? -24.001_MPa : -24_MPa, 0, 0});
+  return stress;
+}
+
+Body body_at(double angle, const Vec2& position) {
+  Body body;
+  body.rotation = Rotation::from_angle(angle);
+  body.position = position;
+  return body;
+}
+
+std::vector<Vec2> square_ring(const Body& body) {
+  std::vector<Vec2> ring;
+  for (const Vec2& v : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{1, 1}, Vec2{-1, 1}})
+    ring.push_back(body.rotation * v + body.position);
+  return ring;
+}
+
+template <class Fit>
+struct Breakage {
+  HoekBrown criterion{};
+  Fit line_fit{};
+  StraightCut splitter{};
+};
+
+template <class Fit>
+std::optional<Crack> crack_of(const Breakage<Fit>& model, const Body& body, double mean_area) {
+  const Mesh mesh = square_mesh();
+  const ElementStress stress = torn_in_the_middle(mesh);
+  const std::vector<Vec2> ring = square_ring(body);
+  return find_crack(model, tally_failures(model.criterion, stress), mesh, stress, body, ring,
+                    mean_area);
+}
+
+}  // namespace
+
+TEST_CASE("points of the line fit are the centroids of failed elements with their weights") {
+  const Mesh mesh = square_mesh();
+  const Body body = body_at(0.7, {5, -3});
+  const auto points = failed_points(HoekBrown{}, mesh, torn_in_the_middle(mesh), body);
+  REQUIRE(points.size() == 16);
+  std::size_t k = 0;
+  for (std::size_t e = 0; e < mesh.size(); ++e) {
+    if (std::abs(mesh.centroid(e).x()) >= 0.5) continue;
+    CHECK((points[k].position - (body.rotation * mesh.centroid(e) + body.position)).norm() ==
+          near(0, 1e-14));
+    // Twice the tensile strength of 12 MPa.
+    CHECK(points[k].weight == near(2, e == worst ? 1e-3 : 1e-14));
+    ++k;
+  }
+}
+
+TEST_CASE("a particle torn in its middle splits there, whatever its pose") {
+  for (const double angle : {0.0, 0.7, -2.1})
+    for (const Vec2& position : {Vec2{0, 0}, Vec2{40, -25}}) {
+      CAPTURE(angle);
+      const Body body = body_at(angle, position);
+      const Vec2 across_tension = body.rotation * Vec2{0, 1};
+      // The crack along the cloud of failed elements, and the one along the failure plane of the
+      // first of them. The cells lean one way: a few degrees for the cloud.
+      const auto cloud = crack_of(Breakage<TotalLeastSquares>{}, body, 4);
+      const auto plane = crack_of(Breakage<FailurePlaneThroughCentroid>{}, body, 4);
+      REQUIRE(cloud);
+      REQUIRE(plane);
+      CHECK(off_angle(cloud->line.direction, across_tension) < 0.06);
+      CHECK(off_angle(plane->line.direction, across_tension) == near(0, 1e-13));
+      for (const Crack& crack : {*cloud, *plane}) {
+        CHECK(crack.mode == FailureMode::tension);
+        CHECK(crack.tally.failed == 16);
+        CHECK(crack.tally.ratio() == 0.5);
+        CHECK(crack.tally.first_failed == worst);
+        // The worst element's weight moves the centroid by some 1e-6.
+        CHECK(crack.line.left_distance(position) == near(0, 1e-5));
+        const double left = area_properties(crack.pieces.left).area;
+        const double right = area_properties(crack.pieces.right).area;
+        CHECK(left == near(2, 1e-4));
+        // Coordinates are rounded to 40 * 1.1e-16.
+        CHECK(left + right == near(4, 1e-13));
+        CHECK(crack.line.left_distance(area_properties(crack.pieces.left).centroid) > 0.4);
+        CHECK(crack.line.left_distance(area_properties(crack.pieces.right).centroid) < -0.4);
+      }
+    }
+}
+
+TEST_CASE("there is no crack where there is no line or the splitter refuses") {
+  const Body body = body_at(0.3, {1, 2});
+  CHECK_FALSE(crack_of(Breakage<NoLine>{}, body, 4));
+  // Halves of a particle that is small beside the others.
+  CHECK_FALSE(crack_of(Breakage<TotalLeastSquares>{}, body, 2 / 0.08 + 0.1));
+  CHECK(crack_of(Breakage<TotalLeastSquares>{}, body, 2 / 0.08 - 0.1));
+}
+
+TEST_CASE("a particle without failed elements has no crack") {
+  const Mesh mesh = square_mesh();
+  ElementStress stress;
+  stress.reset(mesh.size());
+  const Body body = body_at(0, {0, 0});
+  const Breakage<FailurePlaneThroughCentroid> model;
+  CHECK_FALSE(find_crack(model, tally_failures(model.criterion, stress), mesh, stress, body,
+                         square_ring(body), 4));
+}

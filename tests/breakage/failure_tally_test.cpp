@@ -1,0 +1,92 @@
+#include <riprap/breakage/failure_tally.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include <riprap/breakage/criterion/hoek_brown.hpp>
+#include <riprap/breakage/criterion/never_fails.hpp>
+#include <riprap/core/units.hpp>
+#include <support/near.hpp>
+
+using namespace riprap;
+using riprap::test::near;
+
+namespace {
+
+ElementStress elements(const std::vector<Stress2>& stresses) {
+  ElementStress all;
+  all.reset(stresses.size());
+  for (std::size_t e = 0; e < stresses.size(); ++e) all.set(e, stresses[e]);
+  return all;
+}
+
+// Uniaxial compression with a given safety factor in Table 1's rock.
+Stress2 crushed(double safety_factor) { return {300_MPa / safety_factor, 0, 0}; }
+// Uniaxial tension likewise.
+Stress2 torn(double safety_factor) { return {0, -12_MPa / safety_factor, 0}; }
+
+}  // namespace
+
+TEST_CASE("Rat is the share of failed elements, in tension and in shear alike") {
+  const FailureTally tally = tally_failures(
+      HoekBrown{}, elements({crushed(2), crushed(0.9), torn(0.8), crushed(1.5), torn(3)}));
+  CHECK(tally.elements == 5);
+  CHECK(tally.failed == 2);
+  CHECK(tally.ratio() == 0.4);
+}
+
+TEST_CASE("the first failed element is the one with the lowest safety factor") {
+  const FailureTally tally = tally_failures(
+      HoekBrown{}, elements({crushed(0.9), torn(0.7), crushed(0.8), crushed(4), torn(0.95)}));
+  CHECK(tally.first_failed == 1);
+  CHECK(tally.lowest_safety_factor == near(0.7, 1e-14));
+}
+
+TEST_CASE("of equal safety factors the lower index is first") {
+  const FailureTally tally = tally_failures(
+      HoekBrown{}, elements({crushed(3), crushed(0.9), crushed(0.5), torn(0.5), crushed(0.5)}));
+  CHECK(tally.first_failed == 2);
+  CHECK(tally.lowest_safety_factor == 0.5);
+  CHECK(tally_failures(HoekBrown{}, elements({torn(0.5), crushed(0.5)})).first_failed == 0);
+  CHECK(tally_failures(HoekBrown{}, elements({crushed(0.5), torn(0.5)})).first_failed == 0);
+}
+
+TEST_CASE("an intact element is never the first failed one") {
+  // Its safety factor is barely above one, that of the failed one in the band is exactly one.
+  const Stress2 band{0, -11.99_MPa, 0};
+  const FailureTally tally =
+      tally_failures(HoekBrown{}, elements({crushed(1 + 1e-15), band, crushed(1 + 1e-15)}));
+  CHECK(tally.failed == 1);
+  CHECK(tally.first_failed == 1);
+  CHECK(tally.lowest_safety_factor == 1);
+}
+
+TEST_CASE("where nothing has failed the tally still names the element nearest to failure") {
+  const FailureTally tally =
+      tally_failures(HoekBrown{}, elements({torn(5), crushed(3), crushed(1.25), crushed(1.5)}));
+  CHECK(tally.failed == 0);
+  CHECK(tally.ratio() == 0);
+  CHECK(tally.first_failed == 2);
+  CHECK(tally.lowest_safety_factor == near(1.25, 1e-14));
+}
+
+TEST_CASE("the tally does not depend on the order of the elements but for ties") {
+  const std::vector<Stress2> forward{crushed(0.9), torn(0.6), crushed(2), crushed(0.7)};
+  const std::vector<Stress2> backward(forward.rbegin(), forward.rend());
+  const FailureTally f = tally_failures(HoekBrown{}, elements(forward));
+  const FailureTally b = tally_failures(HoekBrown{}, elements(backward));
+  CHECK(f.failed == b.failed);
+  CHECK(f.lowest_safety_factor == b.lowest_safety_factor);
+  CHECK(f.first_failed == 3 - b.first_failed);
+}
+
+TEST_CASE("a particle without load or without elements has not failed") {
+  const FailureTally unloaded = tally_failures(HoekBrown{}, elements({{}, {}, {}}));
+  CHECK(unloaded.elements == 3);
+  CHECK(unloaded.failed == 0);
+  CHECK(std::isinf(unloaded.lowest_safety_factor));
+  CHECK(tally_failures(HoekBrown{}, ElementStress{}).ratio() == 0);
+  CHECK(tally_failures(NeverFails{}, elements({torn(0.01), crushed(0.01)})).failed == 0);
+}

@@ -1,0 +1,114 @@
+#include <riprap/breakage/splitter/straight_cut.hpp>
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include <support/near.hpp>
+
+using namespace riprap;
+using riprap::test::near;
+
+namespace {
+
+const std::vector<Vec2> unit_square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+
+Line upright(double x) { return {{x, 0.5}, {0, 1}}; }
+
+// Without the sliver rule.
+constexpr StraightCut permissive{.minimum_area = 0, .maximum_aspect = 1e6};
+
+struct WithoutRules {
+  std::optional<CutRings> operator()(Ring, const Line&, double) const { return std::nullopt; }
+};
+static_assert(!Splitter<WithoutRules>);
+
+}  // namespace
+
+TEST_CASE("a unit square cut at x = 0.3") {
+  const auto parts = permissive(unit_square, upright(0.3), 1);
+  REQUIRE(parts);
+  const AreaProperties left = area_properties(parts->left);
+  const AreaProperties right = area_properties(parts->right);
+  CHECK(left.area == near(0.3, 1e-15));
+  CHECK(right.area == near(0.7, 1e-15));
+  CHECK((left.centroid - Vec2{0.15, 0.5}).norm() == near(0, 1e-15));
+  CHECK((right.centroid - Vec2{0.65, 0.5}).norm() == near(0, 1e-15));
+  CHECK(left.polar_moment == near(0.3 * (0.09 + 1) / 12, 1e-15));
+  CHECK(right.polar_moment == near(0.7 * (0.49 + 1) / 12, 1e-15));
+  // Polar moment about the common centroid is that of the whole, 1/6.
+  const double whole =
+      left.polar_moment + left.area * 0.35 * 0.35 + right.polar_moment + right.area * 0.15 * 0.15;
+  CHECK(whole == near(1.0 / 6, 1e-15));
+}
+
+TEST_CASE("cuts that leave less than the least area are refused") {
+  const StraightCut rule{.minimum_area = 0.08, .maximum_aspect = 1e6};
+  CHECK_FALSE(rule(unit_square, upright(0.079), 1));
+  CHECK(rule(unit_square, upright(0.081), 1));
+  // Either piece may be the small one.
+  CHECK_FALSE(rule(unit_square, upright(0.921), 1));
+  CHECK(rule(unit_square, upright(0.919), 1));
+}
+
+TEST_CASE("the least area is a share of the mean particle, not of the one that breaks") {
+  const StraightCut rule{.minimum_area = 0.08, .maximum_aspect = 1e6};
+  CHECK(rule(unit_square, upright(0.3), 3.7));
+  CHECK_FALSE(rule(unit_square, upright(0.3), 3.8));
+  CHECK(rule(unit_square, upright(0.04), 0.49));
+}
+
+TEST_CASE("cuts that leave a piece too slender are refused") {
+  // A strip of width w has the aspect sqrt(1 + w^2) / w, which is 3 at w = 1 / sqrt(8).
+  const StraightCut rule{.minimum_area = 0, .maximum_aspect = 3};
+  const double limit = 0.35355339;
+  CHECK(rule(unit_square, upright(limit + 1e-6), 1));
+  CHECK_FALSE(rule(unit_square, upright(limit - 1e-6), 1));
+  CHECK_FALSE(rule(unit_square, upright(1 - limit + 1e-6), 1));
+}
+
+TEST_CASE("the default rule asks for 8 % of the mean area and an aspect of at most 3") {
+  const StraightCut rule;
+  CHECK(rule.minimum_area == 0.08);
+  CHECK(rule.maximum_aspect == 3);
+  CHECK(rule(unit_square, upright(0.5), 1));
+  CHECK_FALSE(rule(unit_square, upright(0.2), 1));   // too slender
+  CHECK_FALSE(rule(unit_square, upright(0.5), 10));  // too small
+}
+
+TEST_CASE("a line that misses the particle cuts nothing") {
+  CHECK_FALSE(permissive(unit_square, upright(1.5), 1));
+  CHECK_FALSE(permissive(unit_square, upright(0), 1));                             // along an edge
+  CHECK_FALSE(permissive(unit_square, Line{{0, 1}, Vec2{1, 1}.normalized()}, 1));  // at a corner
+}
+
+TEST_CASE("the rule does not depend on place, direction or unit of length") {
+  const StraightCut rule;
+  for (const double angle : {0.0, 0.77, 2.5})
+    for (const double scale : {1.0, 1e-3}) {
+      const Rotation turn = Rotation::from_angle(angle);
+      const Vec2 shift = scale * Vec2{500, -800};
+      const auto move = [&](const Vec2& p) { return Vec2(turn * (scale * p) + shift); };
+      std::vector<Vec2> ring;
+      for (const Vec2& v : unit_square) ring.push_back(move(v));
+      const double mean = scale * scale;
+      for (const double x : {0.353, 0.354, 0.5, 0.646, 0.647}) {
+        CAPTURE(x);
+        const Line line{move({x, 0.5}), turn * Vec2{0, 1}};
+        const auto parts = rule(ring, line, mean);
+        REQUIRE(parts.has_value() == rule(unit_square, upright(x), 1).has_value());
+        if (parts)
+          // Coordinates are rounded to about 1000 sizes * 1.1e-16.
+          CHECK(area_properties(parts->left).area / mean == near(x, 1e-12));
+      }
+    }
+}
+
+TEST_CASE("rules of the sliver rule") {
+  CHECK_NOTHROW(permissive.validate());
+  CHECK_THROWS_WITH_AS(StraightCut{.minimum_area = -0.1}.validate(),
+                       "StraightCut.minimum_area = -0.1: must be a finite number, 0 or above",
+                       InvalidInput);
+  CHECK_THROWS_WITH_AS(StraightCut{.maximum_aspect = 0.5}.validate(),
+                       "StraightCut.maximum_aspect = 0.5: must be 1 or more", InvalidInput);
+}

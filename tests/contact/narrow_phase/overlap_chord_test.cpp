@@ -1,0 +1,418 @@
+#include <cmath>
+#include <doctest/doctest.h>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <riprap/contact/narrow_phase/overlap_chord.hpp>
+#include <riprap/core/random.hpp>
+#include <riprap/geometry/random_polygon.hpp>
+#include <support/rectangle.hpp>
+
+using namespace riprap;
+using riprap::test::rectangle;
+
+namespace {
+
+std::optional<ContactGeometry> contact_of(const ConvexPolygon& a, const ConvexPolygon& b) {
+  OverlapChord::Memory memory;
+  return OverlapChord{}(a.ring(), b.ring(), memory);
+}
+
+double overlap_area(const ConvexPolygon& a, const ConvexPolygon& b) {
+  const auto contact = contact_of(a, b);
+  return contact ? contact->area : 0;
+}
+
+ConvexPolygon shifted(const ConvexPolygon& polygon, const Vec2& shift) {
+  return polygon.moved({}, shift);
+}
+
+/// A triangle that stands on its tip at `tip`: its sides rise at `left` and `right` [rad] from the
+/// horizontal.
+ConvexPolygon tip_down(const Vec2& tip, double left, double right) {
+  return {tip, tip + Vec2{std::cos(right), std::sin(right)},
+          tip + Vec2{-std::cos(left), std::sin(left)}};
+}
+
+ConvexPolygon mirrored(const ConvexPolygon& polygon) {
+  std::vector<Vec2> vertices;
+  for (std::size_t i = polygon.size(); i-- > 0;)
+    vertices.push_back({-polygon[i].x(), polygon[i].y()});
+  return ConvexPolygon(vertices);
+}
+
+/// Vertices counted from another one.
+ConvexPolygon renumbered(const ConvexPolygon& polygon, std::size_t first) {
+  std::vector<Vec2> vertices;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    vertices.push_back(polygon[(i + first) % polygon.size()]);
+  return ConvexPolygon(vertices);
+}
+
+/// Pairs of sharp polygons of about unit size that overlap somewhere between barely and badly.
+template <class Visit>
+void for_random_pairs(int count, Visit&& visit) {
+  Random random(42);
+  for (int found = 0; found < count;) {
+    const ConvexPolygon a = random_polygon({}, random.uniform(0.7, 1.3), random);
+    const ConvexPolygon b = random_polygon({}, random.uniform(0.7, 1.3), random);
+    const Rotation direction = Rotation::from_angle(random.uniform(0, 7));
+    const ConvexPolygon moved = shifted(b, random.uniform(0.3, 1.3) * (direction * Vec2{1, 0}));
+    const auto contact = contact_of(a, moved);
+    if (!contact) continue;
+    ++found;
+    visit(a, moved, *contact);
+  }
+}
+
+/// How often two boundaries cross, edge by edge.
+int crossings(const ConvexPolygon& a, const ConvexPolygon& b) {
+  const auto parts = [](const Vec2& p, const Vec2& q, const Vec2& u, const Vec2& v) {
+    return (cross(q - p, u - p) > 0) != (cross(q - p, v - p) > 0);
+  };
+  int count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const Vec2& p = a[i];
+      const Vec2& q = a[(i + 1) % a.size()];
+      const Vec2& u = b[j];
+      const Vec2& v = b[(j + 1) % b.size()];
+      if (parts(p, q, u, v) && parts(u, v, p, q)) ++count;
+    }
+  return count;
+}
+
+void check_same(const ContactGeometry& p, const ContactGeometry& q, double tolerance) {
+  CHECK(std::abs(p.depth - q.depth) <= tolerance);
+  CHECK(std::abs(p.area - q.area) <= tolerance);
+  CHECK(std::abs(p.chord - q.chord) <= tolerance);
+  CHECK((p.point - q.point).norm() <= tolerance);
+  // A normal is as uncertain as the ends of its chord over their distance.
+  CHECK((p.normal - q.normal).norm() * q.chord <= 2 * tolerance);
+}
+
+}  // namespace
+
+// --- Closed forms -------------------------------------------------------------------------------
+
+TEST_CASE("a corner in an edge has the depth of its tip and the chord along the edge") {
+  const double pi = std::numbers::pi;
+  const ConvexPolygon floor = rectangle({0, -1}, 4, 2);
+  for (const double depth : {0.1, 1e-3, 1e-6})
+    for (const auto& [left, right] :
+         {std::pair{pi / 4, pi / 4}, std::pair{0.3, 1.2}, std::pair{1.5, 0.2}}) {
+      CAPTURE(depth);
+      const double to_left = depth / std::tan(left);
+      const double to_right = depth / std::tan(right);
+      const auto contact = contact_of(floor, tip_down({0.2, -depth}, left, right));
+      REQUIRE(contact);
+      // Coordinates of size 4 end in digits of 4e-16.
+      const double tolerance = 1e-14;
+      CHECK((contact->normal - Vec2{0, 1}).norm() * contact->chord <= tolerance);
+      CHECK(std::abs(contact->depth - depth) <= tolerance);
+      CHECK(std::abs(contact->chord - (to_left + to_right)) <= 10 * tolerance);
+      CHECK((contact->point - Vec2{0.2 + 0.5 * (to_right - to_left), 0}).norm() <= 10 * tolerance);
+      CHECK(std::abs(contact->area - 0.5 * depth * (to_left + to_right)) <= 10 * tolerance * depth);
+    }
+}
+
+TEST_CASE("however shallow a corner is, it makes contact") {
+  // A force that began at a finite depth would give energy away or take it.
+  const ConvexPolygon floor = rectangle({0, -1}, 4, 2);
+  for (const double depth : {1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
+    CAPTURE(depth);
+    const auto contact = contact_of(floor, tip_down({0, -depth}, 1.0, 0.7));
+    REQUIRE(contact);
+    CHECK(contact->depth == doctest::Approx(depth).epsilon(1e-15 / depth));
+    const auto swapped = contact_of(tip_down({0, -depth}, 1.0, 0.7), floor);
+    REQUIRE(swapped);
+    CHECK(swapped->depth == doctest::Approx(depth).epsilon(1e-15 / depth));
+  }
+}
+
+TEST_CASE("a face on a wider face has the overlap's height as depth and the face as chord") {
+  for (const double depth : {0.2, 1e-3, 1e-8}) {
+    CAPTURE(depth);
+    const auto contact =
+        contact_of(rectangle({0, -1}, 4, 2), rectangle({0.3, 0.5 - depth}, 1.5, 1));
+    REQUIRE(contact);
+    CHECK(std::abs(contact->depth - depth) <= 1e-14);
+    CHECK(contact->chord == doctest::Approx(1.5).epsilon(1e-14));
+    CHECK((contact->normal - Vec2{0, 1}).norm() <= 1e-14);
+    CHECK((contact->point - Vec2{0.3, 0}).norm() <= 1e-14);
+    CHECK(std::abs(contact->area - 1.5 * depth) <= 1e-14);
+  }
+}
+
+TEST_CASE("a corner in a corner has the diagonal as chord and twice area over chord as depth") {
+  const double w = 0.1;
+  const double h = 0.2;
+  const double diagonal = std::hypot(w, h);
+  const auto contact = contact_of(rectangle({0, 0}, 1, 1), rectangle({1 - w, 1 - h}, 1, 1));
+  REQUIRE(contact);
+  CHECK(contact->chord == doctest::Approx(diagonal).epsilon(1e-14));
+  CHECK(contact->depth == doctest::Approx(2 * w * h / diagonal).epsilon(1e-14));
+  CHECK(contact->area == doctest::Approx(w * h).epsilon(1e-14));
+  CHECK((contact->normal - Vec2{h, w} / diagonal).norm() <= 1e-14);
+  CHECK((contact->point - Vec2{0.5 - 0.5 * w, 0.5 - 0.5 * h}).norm() <= 1e-14);
+}
+
+// --- Where there is no chord --------------------------------------------------------------------
+
+TEST_CASE("bodies that keep apart or only touch have no contact") {
+  const ConvexPolygon square = rectangle({0, 0}, 1, 1);
+  CHECK(!contact_of(square, rectangle({3, 0}, 1, 1)));
+  CHECK(!contact_of(square, rectangle({1.0000001, 0.2}, 1, 1)));
+  CHECK(!contact_of(square, rectangle({1, 0}, 1, 1)));       // face on face
+  CHECK(!contact_of(square, rectangle({1, 1}, 1, 1)));       // corner on corner
+  CHECK(!contact_of(square, tip_down({0.1, 0.5}, 1, 0.8)));  // corner on face
+  // Near each other but parted by neither axis.
+  CHECK(!contact_of(square, rectangle({0.9, 0.9}, 1, 1, std::numbers::pi / 4)));
+}
+
+TEST_CASE("a body inside another is parted by the least translation") {
+  const ConvexPolygon outer = rectangle({0, 0}, 4, 2);
+  const ConvexPolygon inner = rectangle({1.2, 0.1}, 0.5, 0.5);
+  const auto contact = contact_of(outer, inner);
+  REQUIRE(contact);
+  // The way out through the right face is 2 - 1.2 + 0.25, through the upper one 1 - 0.1 + 0.25.
+  CHECK(contact->depth == doctest::Approx(1.05).epsilon(1e-14));
+  CHECK((contact->normal - Vec2{1, 0}).norm() <= 1e-14);
+  CHECK((contact->point - Vec2{1.2, 0.1}).norm() <= 1e-14);
+  CHECK(contact->area == doctest::Approx(0.25).epsilon(1e-14));
+  const auto swapped = contact_of(inner, outer);
+  REQUIRE(swapped);
+  CHECK(swapped->depth == doctest::Approx(1.05).epsilon(1e-14));
+  CHECK((swapped->normal - Vec2{-1, 0}).norm() <= 1e-14);
+}
+
+TEST_CASE("faces of equal width one on the other are parted by the least translation") {
+  const auto contact = contact_of(rectangle({0, -0.5}, 1, 1), rectangle({0, 0.499}, 1, 1));
+  REQUIRE(contact);
+  CHECK(contact->depth == doctest::Approx(1e-3).epsilon(1e-12));
+  CHECK((contact->normal - Vec2{0, 1}).norm() <= 1e-14);
+  CHECK((contact->point - Vec2{0, -0.0005}).norm() <= 1e-14);
+  CHECK(contact->chord == doctest::Approx(1).epsilon(1e-14));
+  CHECK(contact->area == doctest::Approx(1e-3).epsilon(1e-12));
+}
+
+TEST_CASE("faces flush at one end only are parted by the least translation") {
+  for (const double side : {1.0, -1.0}) {
+    const ConvexPolygon wide = rectangle({0, -0.5}, 2, 1);
+    const ConvexPolygon narrow = rectangle({0.5 * side, 0.499}, 1, 1);
+    const auto contact = contact_of(wide, narrow);
+    const auto swapped = contact_of(narrow, wide);
+    REQUIRE(contact);
+    REQUIRE(swapped);
+    for (const auto& c : {*contact, *swapped}) {
+      CHECK(c.depth == doctest::Approx(1e-3).epsilon(1e-12));
+      CHECK(c.chord == doctest::Approx(1).epsilon(1e-14));
+      CHECK((c.point - Vec2{0.5 * side, -0.0005}).norm() <= 1e-14);
+    }
+    CHECK((contact->normal - Vec2{0, 1}).norm() <= 1e-14);
+    CHECK((swapped->normal - Vec2{0, -1}).norm() <= 1e-14);
+  }
+}
+
+TEST_CASE("a sliver across a body crosses it four times and is parted by the least translation") {
+  const ConvexPolygon body = rectangle({0, 0}, 1, 1);
+  const ConvexPolygon sliver = rectangle({0.1, 0.4}, 4, 0.04);
+  const auto contact = contact_of(body, sliver);
+  REQUIRE(contact);
+  CHECK(contact->depth == doctest::Approx(0.5 - 0.4 + 0.02).epsilon(1e-13));
+  CHECK((contact->normal - Vec2{0, 1}).norm() <= 1e-14);
+  CHECK((contact->point - Vec2{0, 0.4}).norm() <= 1e-14);
+  CHECK(contact->area == doctest::Approx(0.04).epsilon(1e-13));
+}
+
+TEST_CASE("a body on top of itself has a finite contact with a unit normal") {
+  const ConvexPolygon square = rectangle({0, 0}, 1, 1);
+  const auto contact = contact_of(square, square);
+  REQUIRE(contact);
+  CHECK(contact->depth == doctest::Approx(1).epsilon(1e-14));
+  CHECK(contact->normal.norm() == doctest::Approx(1).epsilon(1e-14));
+  CHECK(contact->area == doctest::Approx(1).epsilon(1e-14));
+}
+
+// --- Properties of any contact ------------------------------------------------------------------
+
+TEST_CASE("parting two bodies along the normal takes chord times way off their overlap") {
+  // dA/ds = -chord along the normal and 0 along the tangent wherever two boundaries cross twice:
+  // the normal points where the overlap shrinks fastest, from a to b.
+  int checked = 0;
+  for_random_pairs(400, [&](const auto& a, const auto& b, const ContactGeometry& contact) {
+    if (crossings(a, b) != 2) return;
+    ++checked;
+    const double s = 1e-6;
+    const auto slope = [&](const Vec2& direction) {
+      return (overlap_area(a, shifted(b, s * direction)) -
+              overlap_area(a, shifted(b, -s * direction))) /
+             (2 * s);
+    };
+    // Areas end in digits of 1e-16, over 2e-6; they are quadratic in the shift unless a vertex
+    // crosses a face meanwhile, which adds at most the shift.
+    CHECK(std::abs(slope(contact.normal) + contact.chord) <= 3e-6);
+    CHECK(std::abs(slope(contact.tangent())) <= 3e-6);
+  });
+  CHECK(checked > 200);
+}
+
+TEST_CASE("a contact without a chord is undone by shifting the second body by the depth") {
+  int checked = 0;
+  for_random_pairs(1000, [&](const auto& a, const auto& b, const ContactGeometry& contact) {
+    if (crossings(a, b) == 2) return;
+    ++checked;
+    const auto apart = [&](double share) {
+      return !contact_of(a, shifted(b, share * contact.depth * contact.normal));
+    };
+    CHECK(apart(1 + 1e-9));
+    CHECK(!apart(1 - 1e-6));
+    // No other direction does with less.
+    for (int i = 0; i < 36; ++i) {
+      const Vec2 other = Rotation::from_angle(i * std::numbers::pi / 18) * Vec2{1, 0};
+      CHECK(contact_of(a, shifted(b, (1 - 1e-6) * contact.depth * other)));
+    }
+  });
+  CHECK(checked > 50);
+}
+
+TEST_CASE("swapping the bodies turns the normal round and changes nothing else") {
+  for_random_pairs(500, [](const auto& a, const auto& b, const ContactGeometry& contact) {
+    const auto swapped = contact_of(b, a);
+    REQUIRE(swapped);
+    ContactGeometry back = *swapped;
+    back.normal = -back.normal;
+    check_same(back, contact, 1e-13);
+  });
+}
+
+TEST_CASE("a contact moves rigidly with its bodies, also far from the origin") {
+  const Rotation turn = Rotation::from_angle(0.77);
+  for (const Vec2& shift : {Vec2{0, 0}, Vec2{-3, 8}, Vec2{700, -600}}) {
+    // The last bits of coordinates over the distance.
+    const double tolerance = 1e-13 * std::max(1.0, shift.norm());
+    for_random_pairs(150, [&](const auto& a, const auto& b, const ContactGeometry& contact) {
+      const auto moved = contact_of(a.moved(turn, shift), b.moved(turn, shift));
+      REQUIRE(moved);
+      ContactGeometry back = *moved;
+      back.normal = turn.inverse_times(moved->normal);
+      back.point = turn.inverse_times(moved->point - shift);
+      check_same(back, contact, tolerance);
+    });
+  }
+}
+
+TEST_CASE("a mirrored pair has the mirrored contact, and vertex numbers do not matter") {
+  for_random_pairs(200, [](const auto& a, const auto& b, const ContactGeometry& contact) {
+    const auto image = contact_of(mirrored(a), mirrored(b));
+    REQUIRE(image);
+    ContactGeometry back = *image;
+    back.normal.x() = -back.normal.x();
+    back.point.x() = -back.point.x();
+    check_same(back, contact, 1e-13);
+    const auto again = contact_of(renumbered(a, 1), renumbered(b, 2));
+    REQUIRE(again);
+    check_same(*again, contact, 1e-13);
+  });
+}
+
+TEST_CASE("grains of dust and planets have the same contact, scaled to the last bit") {
+  // Powers of two: no digit may depend on the unit of length.
+  for (const double scale : {std::ldexp(1.0, -30), std::ldexp(1.0, 40)}) {
+    const auto scaled = [scale](const ConvexPolygon& polygon) {
+      std::vector<Vec2> vertices;
+      for (const Vec2& v : polygon) vertices.push_back(scale * v);
+      return ConvexPolygon(vertices);
+    };
+    for_random_pairs(100, [&](const auto& a, const auto& b, const ContactGeometry& contact) {
+      const auto large = contact_of(scaled(a), scaled(b));
+      REQUIRE(large);
+      CHECK(large->depth == scale * contact.depth);
+      CHECK(large->chord == scale * contact.chord);
+      CHECK(large->area == scale * scale * contact.area);
+      CHECK(large->point == scale * contact.point);
+      CHECK(large->normal == contact.normal);
+    });
+  }
+}
+
+TEST_CASE("what a pair remembers never changes the answer") {
+  Random random(7);
+  const ConvexPolygon a = random_polygon({}, 1, random);
+  const ConvexPolygon b = random_polygon({}, 1, random);
+  OverlapChord::Memory kept;
+  int touching = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Rotation at = Rotation::from_angle(0.013 * i);
+    const ConvexPolygon moved =
+        b.moved(Rotation::from_angle(0.031 * i), (0.8 + 0.3 * at.sine) * (at * Vec2{1, 0}));
+    const auto fresh = contact_of(a, moved);
+    const auto remembered = OverlapChord{}(a.ring(), moved.ring(), kept);
+    REQUIRE(fresh.has_value() == remembered.has_value());
+    if (!fresh) continue;
+    ++touching;
+    CHECK(fresh->depth == remembered->depth);
+    CHECK(fresh->point == remembered->point);
+    CHECK(fresh->normal == remembered->normal);
+  }
+  CHECK(touching > 200);
+  CHECK(touching < 1800);
+}
+
+TEST_CASE("a memory of another pair's edge does no harm") {
+  const ConvexPolygon a = rectangle({0, 0}, 1, 1);
+  const ConvexPolygon b = tip_down({0, 0.4}, 1, 1);
+  OverlapChord::Memory memory{.of_b = true, .edge = 63};
+  CHECK(OverlapChord{}(a.ring(), b.ring(), memory));
+}
+
+// --- Continuity ---------------------------------------------------------------------------------
+
+namespace {
+
+/// Largest change of depth, point and normal over one step of a slide, and how often there is none.
+struct Jumps {
+  double depth = 0;
+  double point = 0;
+  double normal_times_chord = 0;
+  int touching = 0;
+};
+
+/// Slides a corner over a floor's surface and off its end.
+Jumps slide_off(double step) {
+  const ConvexPolygon floor{{-1, -1}, {0.8, -1}, {1, 0}, {-1, 0}};
+  Jumps jumps;
+  std::optional<ContactGeometry> before;
+  // The step does not divide the way: no crossing falls on a vertex.
+  for (double x = 0.31234567; x < 1.2; x += step) {
+    const auto now = contact_of(floor, tip_down({x, -0.03}, 0.9, 0.6));
+    if (now) ++jumps.touching;
+    const double depth_before = before ? before->depth : 0;
+    const double depth_now = now ? now->depth : 0;
+    jumps.depth = std::max(jumps.depth, std::abs(depth_now - depth_before) * (x > 0.35 ? 1 : 0));
+    if (now && before) {
+      jumps.point = std::max(jumps.point, (now->point - before->point).norm());
+      const double turned = (now->normal - before->normal).norm();
+      jumps.normal_times_chord = std::max(jumps.normal_times_chord, turned * now->chord);
+    }
+    before = now;
+  }
+  return jumps;
+}
+
+}  // namespace
+
+TEST_CASE("depth, point and normal of a sliding corner change no faster than the corner moves") {
+  for (const double step : {1.7e-4, 1.7e-5}) {
+    CAPTURE(step);
+    const Jumps jumps = slide_off(step);
+    CHECK(jumps.touching > 0.6 / step);
+    // Where the corner leaves over the end, crossings run along faces that meet at some 45 degrees:
+    // a few times as fast as the corner, never in jumps.
+    CHECK(jumps.depth <= 4 * step);
+    CHECK(jumps.point <= 4 * step);
+    CHECK(jumps.normal_times_chord <= 4 * step);
+  }
+}

@@ -1,0 +1,102 @@
+#include <cmath>
+#include <doctest/doctest.h>
+
+#include <riprap/dynamics/integrator/concepts.hpp>
+
+using namespace riprap;
+
+namespace {
+
+// The least an integrator may be.
+struct Minimal {
+  static constexpr int order = 1;
+  static constexpr bool needs_finish = true;
+  void advance(Body&, const Wrench&, double) const {}
+  void finish(Body&, const Wrench&, double) const {}
+};
+
+struct WithoutOrder {
+  static constexpr bool needs_finish = false;
+  void advance(Body&, const Wrench&, double) const {}
+  void finish(Body&, const Wrench&, double) const {}
+};
+
+struct WithoutFinish {
+  static constexpr int order = 1;
+  static constexpr bool needs_finish = true;
+  void advance(Body&, const Wrench&, double) const {}
+};
+
+struct Remembers {
+  static constexpr int order = 1;
+  static constexpr bool needs_finish = false;
+  void advance(Body&, const Wrench&, double) {}
+  void finish(Body&, const Wrench&, double) {}
+};
+
+static_assert(Integrator<Minimal>);
+static_assert(!Integrator<WithoutOrder> && !WithoutOrder::needs_finish);
+static_assert(!Integrator<WithoutFinish> && WithoutFinish::order == 1 &&
+              WithoutFinish::needs_finish);
+static_assert(!Integrator<Remembers> && Remembers::order == 1 && !Remembers::needs_finish);
+
+Body moving_body() {
+  Body body;
+  body.position = {1, 2};
+  body.rotation = Rotation::from_angle(0.3);
+  body.velocity = {3, -4};
+  body.angular_velocity = 0.5;
+  body.mass = 8;
+  body.inertia = 2;
+  return body;
+}
+
+}  // namespace
+
+TEST_CASE("a drift moves and turns a body at its velocity and changes nothing else") {
+  Body body = moving_body();
+  drift(body, 0.01);
+  CHECK((body.position - Vec2{1.03, 1.96}).norm() <= 1e-15);
+  // Cayley's turn differs from the angle by turn^3 / 12 = 1e-8.
+  CHECK(std::abs(body.rotation.angle() - 0.305) <= std::pow(0.005, 3) / 12 + 1e-15);
+  CHECK(body.velocity == Vec2{3, -4});
+  CHECK(body.angular_velocity == 0.5);
+}
+
+TEST_CASE("a body that does not turn keeps its rotation to the last bit") {
+  Body body = moving_body();
+  body.angular_velocity = 0;
+  for (int i = 0; i < 1000; ++i) drift(body, 0.01);
+  CHECK(body.rotation.cosine == std::cos(0.3));
+  CHECK(body.rotation.sine == std::sin(0.3));
+}
+
+TEST_CASE("a kick adds impulse over mass and angular impulse over inertia") {
+  Body body = moving_body();
+  kick(body, {{16, 8}, -6}, 0.5);
+  CHECK(body.velocity == Vec2{4, -3.5});
+  CHECK(body.angular_velocity == -1);
+  CHECK(body.position == Vec2{1, 2});
+}
+
+TEST_CASE("a scaled mass answers to a kick in proportion") {
+  Body body = moving_body();
+  body.mass_scaling = 4;
+  kick(body, {{16, 8}, -6}, 0.5);
+  CHECK(body.velocity == Vec2{3.25, -3.875});
+  CHECK(body.angular_velocity == 0.125);
+}
+
+TEST_CASE("a kick changes kinetic energy by the work over the mean of both velocities") {
+  for (const double scaling : {1.0, 3.7}) {
+    Body body = moving_body();
+    body.mass_scaling = scaling;
+    const Body before = body;
+    const Wrench wrench{{1234, -56}, 78};
+    kick(body, wrench, 0.02);
+    const double work =
+        0.02 * (wrench.force.dot(0.5 * (before.velocity + body.velocity)) +
+                wrench.moment * 0.5 * (before.angular_velocity + body.angular_velocity));
+    CHECK(body.kinetic_energy() - before.kinetic_energy() == doctest::Approx(work).epsilon(1e-12));
+  }
+}

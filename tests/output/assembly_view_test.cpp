@@ -1,0 +1,153 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <riprap/core/random.hpp>
+#include <riprap/output/assembly_view.hpp>
+#include <support/near.hpp>
+#include <support/rectangle.hpp>
+#include <support/svg_document.hpp>
+
+using namespace riprap;
+using riprap::test::near;
+using riprap::test::PictureBox;
+using riprap::test::rectangle;
+using riprap::test::SvgElement;
+
+namespace {
+
+/// Three particles whose common box is `width` by `height`, with a corner of it at `low`.
+Particles triad(double width, double height, const Vec2& low = {0, 0}) {
+  Particles particles(0.016, 2500);
+  const Vec2 side{width / 5, height / 5};
+  for (const Vec2& share : {Vec2{0.1, 0.1}, Vec2{0.9, 0.5}, Vec2{0.3, 0.9}})
+    particles.add(rectangle(low + Vec2{share.x() * width, share.y() * height}, side.x(), side.y()),
+                  Motion::free);
+  return particles;
+}
+
+std::vector<SvgElement> annotated(const AssemblyView& view) {
+  Svg svg = view.canvas();
+  view.annotate(svg, "An assembly");
+  return test::svg_elements(svg.document());
+}
+
+/// Length [px] of the scale bar and what its label says [m].
+struct ScaleBar {
+  double pixels = 0;
+  double metres = 0;
+};
+
+ScaleBar scale_bar(const std::vector<SvgElement>& elements) {
+  ScaleBar bar;
+  for (const SvgElement& e : elements) {
+    if (e.name == "line" && e.attribute("stroke-width") == "3")
+      bar.pixels = e.number("x2") - e.number("x1");
+    if (e.name == "text" && e.text.ends_with(" mm"))
+      bar.metres = 1e-3 * SvgElement::parsed(e.text.substr(0, e.text.size() - 3));
+  }
+  return bar;
+}
+
+}  // namespace
+
+TEST_CASE("a picture keeps the shape of what it shows and has axis 2 upwards") {
+  const AssemblyView view(triad(0.3, 0.2));
+  Random random(3);
+  for (int i = 0; i < 100; ++i) {
+    const Vec2 p{random.uniform(0, 0.3), random.uniform(0, 0.2)};
+    const Vec2 q{random.uniform(0, 0.3), random.uniform(0, 0.2)};
+    const Vec2 d = view(q) - view(p);
+    // Lengths to scale, to the round-off of pixels below a thousand.
+    CHECK(d.x() == near(view.scale() * (q - p).x(), 1e-11));
+    CHECK(d.y() == near(-view.scale() * (q - p).y(), 1e-11));
+  }
+}
+
+TEST_CASE("the larger side of an assembly is 900 pixels, in whatever units") {
+  for (const double size : {1e-3, 0.3, 1.0, 50.0}) {
+    CHECK(AssemblyView(triad(size, 0.4 * size)).scale() == near(900 / size, 1e-9 / size));
+    CHECK(AssemblyView(triad(0.4 * size, size)).scale() == near(900 / size, 1e-9 / size));
+  }
+}
+
+TEST_CASE("the picture depends neither on the units nor on the distance from the origin") {
+  const double size = 0.3;
+  const Particles here = triad(size, 0.7 * size);
+  const AssemblyView view(here);
+  for (const double unit : {1.0, 1e3}) {
+    const Vec2 low = size * unit * Vec2{800, -600};
+    const Particles there = triad(unit * size, 0.7 * unit * size, low);
+    const AssemblyView far(there);
+    CHECK(far.canvas().width() == near(view.canvas().width(), 1e-9));
+    CHECK(far.canvas().height() == near(view.canvas().height(), 1e-9));
+    for (BodyIndex i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 4; ++k)
+        // Round-off of coordinates a thousand sizes away, in pixels.
+        CHECK((view(here.ring(i)[k]) - far(there.ring(i)[k])).norm() <= 1e-9);
+  }
+}
+
+TEST_CASE("a ring is mapped vertex by vertex") {
+  const Particles particles = triad(0.3, 0.2);
+  const AssemblyView view(particles);
+  const std::vector<Vec2> mapped = view(particles.ring(1));
+  REQUIRE(mapped.size() == 4);
+  for (std::size_t k = 0; k < 4; ++k) CHECK(mapped[k] == view(particles.ring(1)[k]));
+}
+
+TEST_CASE("every particle lies on the sheet, below the title and left of the legend") {
+  for (const Vec2& size : {Vec2{1, 1}, Vec2{1, 0.05}, Vec2{0.05, 1}}) {
+    const Particles particles = triad(size.x(), size.y());
+    const AssemblyView view(particles);
+    const PictureBox room{{0, 30}, {view.legend_left(), view.canvas().height()}};
+    for (BodyIndex i = 0; i < 3; ++i)
+      for (const Vec2& v : view(particles.ring(i))) CHECK(room.holds({v, v}));
+  }
+}
+
+TEST_CASE("the scale bar is as long as its label says: 1, 2 or 5 times a power of ten") {
+  for (double size = 1e-4; size < 50; size *= 1.07) {
+    CAPTURE(size);
+    const AssemblyView view(triad(size, size));
+    const ScaleBar bar = scale_bar(annotated(view));
+    // Both ends are rounded to a hundredth of a pixel.
+    CHECK(bar.pixels == near(bar.metres * view.scale(), 0.0101));
+    const double leading = bar.metres / std::pow(10, std::floor(std::log10(bar.metres) + 1e-9));
+    CHECK((leading == near(1, 1e-9) || leading == near(2, 1e-9) || leading == near(5, 1e-9)));
+    // Half the legend is 95 pixels; the next longer bar, at most 2.5 times this one, would not fit.
+    CHECK(bar.pixels <= 95.01);
+    CHECK(2.5 * bar.pixels >= 94.9);
+  }
+}
+
+TEST_CASE("title, axes, scale bar and its label stay on the sheet for assemblies of any size") {
+  for (double size = 1e-4; size < 50; size *= 1.31)
+    for (const Vec2& shape : {Vec2{1, 1}, Vec2{1, 0.1}, Vec2{0.1, 1}}) {
+      CAPTURE(size);
+      CAPTURE(shape.x());
+      const auto all = annotated(AssemblyView(triad(size * shape.x(), size * shape.y())));
+      CHECK(test::outside_canvas(all) == "");
+    }
+}
+
+TEST_CASE("the two axes are named and point right and up") {
+  const auto all = annotated(AssemblyView(triad(1, 1)));
+  const auto lines = test::named(all, "line");
+  REQUIRE(lines.size() == 3);
+  const SvgElement& first = lines[0];
+  const SvgElement& second = lines[1];
+  CHECK(first.number("x2") > first.number("x1"));
+  CHECK(first.number("y2") == first.number("y1"));
+  CHECK(second.number("x2") == second.number("x1"));
+  CHECK(second.number("y2") < second.number("y1"));
+  // Each name stands at the end of its axis.
+  const auto distance = [&](const std::string& name, const SvgElement& line) {
+    return (test::text_element(all, name).at("x", "y") - line.at("x2", "y2")).norm();
+  };
+  CHECK(distance("axis 1", first) < 10);
+  CHECK(distance("axis 2", second) < 10);
+  CHECK_NOTHROW(static_cast<void>(test::text_element(all, "An assembly")));
+}
