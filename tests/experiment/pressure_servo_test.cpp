@@ -32,7 +32,7 @@ struct SpringSample {
     double e = shortfall;
     for (int n = 0; n < std::lround(duration * response / time_step); ++n) {
       const double rate = servo.rate(e, time_step);
-      CHECK(std::abs(rate) <= largest_rate);
+      if (std::abs(rate) > largest_rate) FAIL("rate ", rate, " at step ", n);
       e += time_step * (drift - factor * stiffness * rate);
       history.push_back(e);
     }
@@ -139,9 +139,9 @@ TEST_CASE("the calls at the limit are counted, in both directions") {
 
 TEST_CASE("a long time at the limit leaves no trace in the integral") {
   PressureServo servo(stiffness, response, 0.02);
-  for (int n = 0; n < 100'000; ++n) CHECK(servo.rate(1e9, 1e-6) == 0.02);
+  for (int n = 0; n < 1000; ++n) CHECK(servo.rate(1e9, 1e-6) == 0.02);
   CHECK(servo.rate(0, 1e-6) == 0);
-  for (int n = 0; n < 100'000; ++n) CHECK(servo.rate(-1e9, 1e-6) == -0.02);
+  for (int n = 0; n < 1000; ++n) CHECK(servo.rate(-1e9, 1e-6) == -0.02);
   CHECK(servo.rate(0, 1e-6) == 0);
 }
 

@@ -153,24 +153,28 @@ TEST_CASE("on a terminal one line is rewritten and ends with its stage") {
   REQUIRE(terminal != nullptr);
   Talk talk;
   Progress progress(terminal);
+  const auto begun = std::chrono::steady_clock::now();
   progress.begin_stage(talk.view);
-  progress.progress(talk.view);  // too soon
+  progress.progress(talk.view);
+  // Too soon for another line, unless this very test was held up.
+  const bool too_soon = std::chrono::steady_clock::now() - begun < std::chrono::milliseconds(250);
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
   talk.view.done = 0.5;
   progress.progress(talk.view);
   talk.view.done = 1;
   talk.view.reached_target = true;
   progress.end_stage(talk.view);
-  std::fflush(terminal);
-  char buffer[1024];
-  const auto length = read(controller, buffer, sizeof buffer);
-  REQUIRE(length > 0);
-  const std::string text(buffer, static_cast<std::size_t>(length));
   std::fclose(terminal);
+  // Once the other end is closed, reads go on until nothing is left and then fail.
+  std::string text;
+  char buffer[1024];
+  for (auto n = read(controller, buffer, sizeof buffer); n > 0;
+       n = read(controller, buffer, sizeof buffer))
+    text.append(buffer, static_cast<std::size_t>(n));
   close(controller);
   CAPTURE(text);
   // The terminal itself turns the end of a line into "\r\n".
-  CHECK(count(text, "\rshear ") == 3);
+  CHECK(count(text, "\rshear ") == (too_soon ? 3 : 4));
   CHECK(count(text, "\n") == 1);
   CHECK(text.ends_with("\n"));
   CHECK(count(text, " 50.0 %") == 1);

@@ -60,7 +60,8 @@ struct FailurePlanes {
   std::array<Vec2, 2> directions{Vec2{1, 0}, Vec2{1, 0}};
   std::size_t count = 0;
 
-  [[nodiscard]] std::span<const Vec2> span() const { return {directions.data(), count}; }
+  [[nodiscard]] std::span<const Vec2> span() const& { return {directions.data(), count}; }
+  std::span<const Vec2> span() const&& = delete;  // would outlive the planes
 
   /// Smallest angle [rad] between a direction and one of the planes.
   [[nodiscard]] double angle_to(const Vec2& direction) const {

@@ -28,18 +28,14 @@ struct FailureTally {
 template <FailureCriterion C>
 [[nodiscard]] FailureTally tally_failures(const C& criterion, const ElementStress& stress) {
   FailureTally tally{.elements = stress.size()};
-  bool any_failed = false;
   for (std::size_t e = 0; e < stress.size(); ++e) {
     const ElementFailure element = evaluate(criterion, stress[e]);
     tally.failed += element.failed();
-    // A failed element comes before any intact one, even in the band where SF is 1.
-    const bool first = element.failed() && !any_failed;
-    if (!first && any_failed && !element.failed()) continue;
-    if (first || element.safety_factor < tally.lowest_safety_factor) {
+    // A failed element has at most 1, an intact one more: the lowest is a failed one if there is any.
+    if (element.safety_factor < tally.lowest_safety_factor) {
       tally.lowest_safety_factor = element.safety_factor;
       tally.first_failed = e;
     }
-    any_failed |= element.failed();
   }
   return tally;
 }

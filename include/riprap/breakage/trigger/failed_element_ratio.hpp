@@ -12,7 +12,7 @@ struct FailedElementRatio {
   double critical = 0.4;  ///< RatF [-]; above 1 nothing breaks
 
   [[nodiscard]] bool operator()(const FailureTally& tally) const {
-    return tally.failed > 0 && tally.ratio() >= critical;
+    return tally.ratio() >= critical;
   }
   void validate() const { require_positive("FailedElementRatio.critical", critical); }
 };
