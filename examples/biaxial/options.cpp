@@ -25,8 +25,9 @@ void read_vertices(const std::string& text, Options& options) {
     options.fewest_vertices = static_cast<unsigned>(low);
     options.most_vertices = static_cast<unsigned>(high);
   } catch (const std::logic_error&) {
-    throw CLI::ValidationError("--vertices", "'" + text + "' is neither a count such as 4 nor a "
-                                             "range such as 3-5, of at most 64");
+    throw CLI::ValidationError("--vertices", "'" + text +
+                                                 "' is neither a count such as 4 nor a "
+                                                 "range such as 3-5, of at most 64");
   }
 }
 
@@ -36,8 +37,9 @@ Options read_options(int argc, char** argv) {
   Options o;
   std::string breakage = "on";
   std::string vertices = "3-5";
-  CLI::App app{"Biaxial test on a circular assembly of random sharp polygons: compaction, relaxation,\n"
-               "hydrostatic pressure, shear; curves, pictures and a summary are written to a folder."};
+  CLI::App app{
+      "Biaxial test on a circular assembly of random sharp polygons: compaction, relaxation,\n"
+      "hydrostatic pressure, shear; curves, pictures and a summary are written to a folder."};
   app.get_formatter()->column_width(42);
   app.option_defaults()->always_capture_default();
   app.add_option("--particles", o.particles, "particles, those of the boundary included");

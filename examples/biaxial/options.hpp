@@ -39,8 +39,7 @@ riprap::RandomAssembly chosen_assembly(const Options& options);
 Options read_options(int argc, char** argv);
 
 using AnyCriterion = riprap::CriterionChoice<riprap::HoekBrown, riprap::MohrCoulomb>;
-using AnyLineFit =
-    riprap::LineFitChoice<riprap::WeightedXY, riprap::WeightedX, riprap::WeightedY>;
+using AnyLineFit = riprap::LineFitChoice<riprap::WeightedXY, riprap::WeightedX, riprap::WeightedY>;
 using AnyPlane = riprap::PlaneStateChoice<riprap::PlaneStress, riprap::PlaneStrain>;
 
 // What is chosen at run time goes through one more model of its role ...

@@ -38,7 +38,8 @@ struct Pictures {
   void end_stage(const riprap::BiaxialView<Sim>& view) const {
     if (view.stage == riprap::Stage::shear)
       draw(view, "after",
-           "at " + riprap::to_text(std::round(1000 * view.axial_strain()) / 10) + " % axial strain");
+           "at " + riprap::to_text(std::round(1000 * view.axial_strain()) / 10) +
+               " % axial strain");
   }
 
  private:
@@ -82,6 +83,7 @@ void run(const Options& o, ModelType model) {
     throw;
   }
   write_records();
-  write_file(folder / "summary.json", summary(o, sim, test, result, curve, progress.warnings()).dump(2) + "\n");
+  write_file(folder / "summary.json",
+             summary(o, sim, test, result, curve, progress.warnings()).dump(2) + "\n");
   print_summary(o, sim, curve, folder.string());
 }

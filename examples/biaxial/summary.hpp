@@ -98,17 +98,15 @@ Json parameters_json(const Options& o, const Sim& sim, const riprap::BiaxialTest
   if constexpr (Sim::breakable) {
     const auto& stress = sim.model().stress_model;
     const auto& breakage = sim.model().breakage_model;
-    j["stress"] = {{"plane", o.plane},
-                   {"support", o.support},
-                   {"mesh_triangles", stress.mesher.triangles}};
-    j["breakage"] = {
-        {"criterion",
-         std::visit([](const auto& c) { return criterion_json(c); }, breakage.criterion.chosen)},
-        {"ratf", breakage.trigger.critical},
-        {"line_fit", o.line_fit},
-        {"minimum_piece_area", breakage.splitter.minimum_area},
-        {"maximum_piece_aspect", breakage.splitter.maximum_aspect},
-        {"check_every", breakage.check_every}};
+    j["stress"] = {
+        {"plane", o.plane}, {"support", o.support}, {"mesh_triangles", stress.mesher.triangles}};
+    j["breakage"] = {{"criterion", std::visit([](const auto& c) { return criterion_json(c); },
+                                              breakage.criterion.chosen)},
+                     {"ratf", breakage.trigger.critical},
+                     {"line_fit", o.line_fit},
+                     {"minimum_piece_area", breakage.splitter.minimum_area},
+                     {"maximum_piece_aspect", breakage.splitter.maximum_aspect},
+                     {"check_every", breakage.check_every}};
   } else {
     j["breakage"] = "off";
   }
@@ -146,8 +144,7 @@ Json numbers_json(const Options& o, const Sim& sim, const riprap::BiaxialResult&
       {"time_step_over_sqrt_m_k",
        riprap::time_step_ratio(sim.time_step(), sim.particles(), law.peak_stiffness())},
       {"axial_rate_1_s", result.axial_rate},
-      {"inertial_number_largest",
-       largest(curve, 0, [](const P& p) { return p.inertial_number; })},
+      {"inertial_number_largest", largest(curve, 0, [](const P& p) { return p.inertial_number; })},
       {"overlap_ratio_largest", largest(curve, 0, [](const P& p) { return p.overlap_ratio; })},
       {"kinetic_ratio_largest_after_1_percent",
        largest(curve, 0.01, [](const P& p) { return p.state.kinetic_ratio(); })},
@@ -199,11 +196,11 @@ void print_summary(const Options& o, const Sim& sim, const riprap::Curve& curve,
       "coordination %.2f, %zu breakages in shear, %zu before\n",
       peak.sin_phi(), 100 * peak.axial_strain, end.sin_phi(), 100 * end.volumetric_strain,
       end.coordination.coordination_number, end.breakages, curve.breakages_before_shear());
-  std::printf(
-      "kappa %.2g, overlap/d %.2g, inertial number %.2g, unbalanced force %.2g, dt/sqrt(m/k) %.2g\n",
-      riprap::stiffness_level(o.pressure, o.thickness, law.normal_stiffness), end.overlap_ratio,
-      end.inertial_number, end.state.unbalanced_force,
-      riprap::time_step_ratio(sim.time_step(), sim.particles(), law.peak_stiffness()));
+  std::printf("kappa %.2g, overlap/d %.2g, inertial number %.2g, unbalanced force %.2g, "
+              "dt/sqrt(m/k) %.2g\n",
+              riprap::stiffness_level(o.pressure, o.thickness, law.normal_stiffness),
+              end.overlap_ratio, end.inertial_number, end.state.unbalanced_force,
+              riprap::time_step_ratio(sim.time_step(), sim.particles(), law.peak_stiffness()));
   std::printf(
       "results in %s: curves.svg, assembly_before.svg, assembly_after.svg, forces_before.svg,\n"
       "forces_after.svg, curve.csv, energy.csv, breakages.csv, summary.json\n",

@@ -26,9 +26,8 @@ struct Crack {
 
 /// Centroids of the failed elements with their weights 1/SF, in laboratory axes.
 template <FailureCriterion C>
-[[nodiscard]] std::vector<WeightedPoint> failed_points(const C& criterion, const Mesh& mesh,
-                                                       const ElementStress& stress,
-                                                       const Body& body) {
+[[nodiscard]] std::vector<WeightedPoint>
+failed_points(const C& criterion, const Mesh& mesh, const ElementStress& stress, const Body& body) {
   std::vector<WeightedPoint> points;
   for (std::size_t e = 0; e < stress.size(); ++e) {
     const ElementFailure element = evaluate(criterion, stress[e]);
@@ -56,8 +55,7 @@ template <class BreakagePart>
   const FailurePlanes planes =
       failure_planes(model.criterion, first.rotated(body.rotation), crack.mode);
   const auto points = failed_points(model.criterion, mesh, stress, body);
-  const std::optional<Line> line =
-      model.line_fit(std::span<const WeightedPoint>(points), planes);
+  const std::optional<Line> line = model.line_fit(std::span<const WeightedPoint>(points), planes);
   if (!line) return std::nullopt;
   crack.line = *line;
   std::optional<CutRings> pieces = model.splitter(ring, *line, mean_area);

@@ -67,8 +67,8 @@ struct FailurePlanes {
   [[nodiscard]] double angle_to(const Vec2& direction) const {
     double least = 0.5 * std::numbers::pi;
     for (const Vec2& plane : span())
-      least = std::min(least, std::atan2(std::abs(cross(plane, direction)),
-                                         std::abs(plane.dot(direction))));
+      least = std::min(
+          least, std::atan2(std::abs(cross(plane, direction)), std::abs(plane.dot(direction))));
     return least;
   }
 };

@@ -31,7 +31,8 @@ template <FailureCriterion C>
   for (std::size_t e = 0; e < stress.size(); ++e) {
     const ElementFailure element = evaluate(criterion, stress[e]);
     tally.failed += element.failed();
-    // A failed element has at most 1, an intact one more: the lowest is a failed one if there is any.
+    // A failed element has at most 1, an intact one more: the lowest is a failed one if there is
+    // any.
     if (element.safety_factor < tally.lowest_safety_factor) {
       tally.lowest_safety_factor = element.safety_factor;
       tally.first_failed = e;

@@ -78,7 +78,8 @@ class ContactList {
   void invalidate() { built_for_.clear(); }
 
   /// After the particle at `parent` has broken: the piece there now keeps the contacts, but those
-  /// with `of_second(point)` go to the piece at `second`, histories and all. Call update afterwards.
+  /// with `of_second(point)` go to the piece at `second`, histories and all. Call update
+  /// afterwards.
   template <class OfSecond>
   void divide(BodyIndex parent, BodyIndex second, OfSecond&& of_second) {
     for (ContactType& contact : pairs_) {

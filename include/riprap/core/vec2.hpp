@@ -44,7 +44,8 @@ struct Rotation {
   }
 
   /// This rotation followed by a small turn [rad]. Cayley's form of the turn is exactly a rotation
-  /// and differs from the true angle by turn^3 / 12, below the error of any second-order integrator.
+  /// and differs from the true angle by turn^3 / 12, below the error of any second-order
+  /// integrator.
   [[nodiscard]] Rotation turned(double turn) const {
     const double h = 0.5 * turn;
     const double scale = 1 / (1 + h * h);
@@ -52,8 +53,7 @@ struct Rotation {
     const double s = 2 * h * scale;
     const Rotation next{cosine * c - sine * s, sine * c + cosine * s};
     // One Newton step towards unit length keeps round-off from growing over millions of steps.
-    const double unit =
-        1.5 - 0.5 * (next.cosine * next.cosine + next.sine * next.sine);
+    const double unit = 1.5 - 0.5 * (next.cosine * next.cosine + next.sine * next.sine);
     return {next.cosine * unit, next.sine * unit};
   }
 };

@@ -15,7 +15,7 @@ struct BiaxialResult {
     std::uint64_t steps = 0;
     double wall_seconds = 0;
     std::uint64_t saturated_steps = 0;  ///< in which a servo's rate was at its limit
-    bool reached_target = false;  ///< false: the cap on its steps ended the stage
+    bool reached_target = false;        ///< false: the cap on its steps ended the stage
   };
   std::array<StageResult, 4> stages;  ///< in the order of Stage
   double axial_rate = 0;              ///< of shear [1/s]

@@ -24,7 +24,6 @@
 
 namespace riprap::internal {
 
-
 /// Puts something back when its scope is left, by an exception too.
 template <class Action>
 class Restore {
@@ -133,8 +132,8 @@ class BiaxialRun {
     std::apply([&](auto&... o) { (call(o), ...); }, observers_);
   }
 
-  // Steps, each after `steer()`, until `finished()`, asked now and then, says so; false if the cap on
-  // steps came first.
+  // Steps, each after `steer()`, until `finished()`, asked now and then, says so; false if the cap
+  // on steps came first.
   template <class Steer, class Finished>
   bool step_until(Steer&& steer, Finished&& finished) {
     for (std::uint64_t n = 1; n <= test_.most_steps; ++n) {
@@ -159,12 +158,14 @@ class BiaxialRun {
     // A jammed sample of sharp polygons fills about 0.8 of its boundary polygon.
     const double solid = boundary_.solid_area(sim_.particles());
     const double distance = std::log(view_.area * 0.8 / solid);
-    const bool jammed = step_until([] {}, [&] {
-      progress(-std::log(view_.stretch.x() * view_.stretch.y()) / distance);
-      return stress().mean() >= test_.jam_pressure &&
-             kinetic_energy(sim_.particles()) <=
-                 test_.jam_kinetic_ratio * stored_energy(sim_.contacts());
-    });
+    const bool jammed =
+        step_until([] {},
+                   [&] {
+                     progress(-std::log(view_.stretch.x() * view_.stretch.y()) / distance);
+                     return stress().mean() >= test_.jam_pressure &&
+                            kinetic_energy(sim_.particles()) <=
+                                test_.jam_kinetic_ratio * stored_energy(sim_.contacts());
+                   });
     if (!jammed)
       throw SimulationError("compaction did not jam within " + std::to_string(test_.most_steps) +
                             " steps: mean stress " + to_text(stress().mean()) + " Pa");
@@ -173,11 +174,13 @@ class BiaxialRun {
 
   bool relax() {
     const double first = unbalanced_force();
-    return step_until([] {}, [&] {
-      const double now = unbalanced_force();
-      progress(std::log(now / first) / std::log(test_.rest_unbalanced_force / first));
-      return now < test_.rest_unbalanced_force;
-    });
+    return step_until([] {},
+                      [&] {
+                        const double now = unbalanced_force();
+                        progress(std::log(now / first) /
+                                 std::log(test_.rest_unbalanced_force / first));
+                        return now < test_.rest_unbalanced_force;
+                      });
   }
 
   bool pressurise() {
@@ -189,16 +192,15 @@ class BiaxialRun {
     unsigned quiet = 0;
     const auto steer = [&] {
       const Stress2 s = stress();
-      set_rate({servo_1.rate(p - s.s11, sim_.time_step()),
-                servo_2.rate(p - s.s22, sim_.time_step())});
+      set_rate(
+          {servo_1.rate(p - s.s11, sim_.time_step()), servo_2.rate(p - s.s22, sim_.time_step())});
     };
     const bool reached = step_until(steer, [&] {
       const Stress2 s = stress();
       const double miss = std::max(std::abs(s.s11 - p), std::abs(s.s22 - p)) / p;
       progress(0.9 * (1 - std::abs(p - s.mean()) / first));
       const bool good = miss <= test_.hydrostatic_tolerance &&
-                        unbalanced_force() <
-                            test_.hydrostatic_unbalanced_force;
+                        unbalanced_force() < test_.hydrostatic_unbalanced_force;
       quiet = good ? quiet + 1 : 0;
       return quiet >= quiet_checks;
     });

@@ -14,13 +14,13 @@ namespace riprap {
 /// axis 2 is shortened at a constant rate of engineering strain while a servo holds sigma_11.
 /// Breakage is on in the last two stages.
 struct BiaxialTest {
-  double confining_pressure = 2e6;    ///< [Pa]
-  double axial_strain = 0.2;          ///< at the end [-]
-  double inertial_number = 1e-3;      ///< of shear, at the confining pressure; 5e-4 below 1 MPa
-  double record_every = 0.0025;       ///< axial strain between records [-]
+  double confining_pressure = 2e6;  ///< [Pa]
+  double axial_strain = 0.2;        ///< at the end [-]
+  double inertial_number = 1e-3;    ///< of shear, at the confining pressure; 5e-4 below 1 MPa
+  double record_every = 0.0025;     ///< axial strain between records [-]
 
-  double jam_pressure = 2e5;          ///< mean stress at which a slow sample counts as jammed [Pa]
-  double jam_kinetic_ratio = 0.04;    ///< kinetic over stored energy below which it counts as slow
+  double jam_pressure = 2e5;        ///< mean stress at which a slow sample counts as jammed [Pa]
+  double jam_kinetic_ratio = 0.04;  ///< kinetic over stored energy below which it counts as slow
   double compaction_inertial_number = 2e-3;  ///< of compaction, at the jam pressure
   double rest_unbalanced_force = 1e-3;       ///< that ends relaxation
   double hydrostatic_tolerance = 0.01;       ///< on both normal stresses
@@ -47,9 +47,10 @@ struct BiaxialTest {
   /// and `end_stage`.
   template <class Sim, class... Observers>
   BiaxialResult run(Sim& sim, Observers&&... observers) const {
-    static_assert(requires { sim.boundary().set_rate(0.0, 0.0); },
-                  "riprap: BiaxialTest drives its boundary by strain rates; give the model a "
-                  "boundary that has set_rate(axis_1, axis_2), such as StrainField");
+    static_assert(
+        requires { sim.boundary().set_rate(0.0, 0.0); },
+        "riprap: BiaxialTest drives its boundary by strain rates; give the model a "
+        "boundary that has set_rate(axis_1, axis_2), such as StrainField");
     validate();
     return internal::BiaxialRun<BiaxialTest, Sim, Observers...>(*this, sim, observers...).run();
   }

@@ -13,8 +13,7 @@ namespace riprap {
 class PressureServo {
  public:
   PressureServo(double stiffness, double response, double largest_rate)
-      : gain_(1 / (stiffness * response)),
-        integral_gain_(gain_ / (4 * response)),
+      : gain_(1 / (stiffness * response)), integral_gain_(gain_ / (4 * response)),
         largest_rate_(largest_rate) {}
 
   /// @param shortfall wanted minus present stress [Pa]

@@ -46,8 +46,7 @@ class RangeCheck {
   template <class Sim>
   void record(const BiaxialView<Sim>& view) {
     const Particles& particles = view.sim.particles();
-    const StateNumbers state =
-        state_numbers(view.sim.contacts(), particles, view.sim.body_force());
+    const StateNumbers state = state_numbers(view.sim.contacts(), particles, view.sim.body_force());
     check(view, "inertial number", limits_.inertial_number,
           inertial_number(view.rate.y(), view.mean_diameter, particles.density(),
                           stress(view).mean()));

@@ -12,10 +12,14 @@ enum class Stage { compaction, relaxation, hydrostatic, shear };
 
 [[nodiscard]] constexpr const char* to_text(Stage stage) {
   switch (stage) {
-    case Stage::compaction: return "compaction";
-    case Stage::relaxation: return "relaxation";
-    case Stage::hydrostatic: return "hydrostatic";
-    case Stage::shear: return "shear";
+  case Stage::compaction:
+    return "compaction";
+  case Stage::relaxation:
+    return "relaxation";
+  case Stage::hydrostatic:
+    return "hydrostatic";
+  case Stage::shear:
+    return "shear";
   }
   return "";
 }
@@ -26,13 +30,13 @@ struct BiaxialView {
   const Sim& sim;
   const BoundaryPolygon& boundary;
   Stage stage = Stage::compaction;
-  double done = 0;               ///< rough share of the stage that is done, in [0, 1]
-  bool reached_target = false;   ///< at end_stage; false: the cap on its steps ended the stage
-  double confining_pressure = 0; ///< [Pa]
-  double mean_diameter = 0;      ///< of the circles of equal area, intact particles [m]
-  Vec2 stretch{1, 1};            ///< extent over that at the start of the stage, axes 1 and 2
-  Vec2 rate{0, 0};               ///< shortening rates [1/s]
-  double area = 0;               ///< of the assembly [m^2]
+  double done = 0;                ///< rough share of the stage that is done, in [0, 1]
+  bool reached_target = false;    ///< at end_stage; false: the cap on its steps ended the stage
+  double confining_pressure = 0;  ///< [Pa]
+  double mean_diameter = 0;       ///< of the circles of equal area, intact particles [m]
+  Vec2 stretch{1, 1};             ///< extent over that at the start of the stage, axes 1 and 2
+  Vec2 rate{0, 0};                ///< shortening rates [1/s]
+  double area = 0;                ///< of the assembly [m^2]
 
   /// Engineering strain of the field along axis 2, positive in shortening.
   [[nodiscard]] double axial_strain() const { return 1 - stretch.y(); }
@@ -60,7 +64,8 @@ inline constexpr auto record = [](auto& observer, const auto& view) {
 
 /// A particle broke in the step just made; `event` is a BreakEvent.
 inline constexpr auto record_break = [](auto& observer, const auto& view, const auto& event) {
-  if constexpr (requires { observer.record_break(view, event); }) observer.record_break(view, event);
+  if constexpr (requires { observer.record_break(view, event); })
+    observer.record_break(view, event);
 };
 
 /// A stage has ended; `view.reached_target` says how.

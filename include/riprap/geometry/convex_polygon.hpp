@@ -54,8 +54,8 @@ class ConvexPolygon {
 
   void check_vertices() const {
     if (size() < 3 || size() > max_polygon_vertices)
-      throw InvalidInput("polygon has " + std::to_string(size()) +
-                         " vertices: must be 3 to " + std::to_string(max_polygon_vertices));
+      throw InvalidInput("polygon has " + std::to_string(size()) + " vertices: must be 3 to " +
+                         std::to_string(max_polygon_vertices));
     for (std::size_t i = 0; i < size(); ++i)
       if (!vertices_[i].allFinite())
         throw InvalidInput("polygon " + vertex_text(i) + ": coordinates must be finite");

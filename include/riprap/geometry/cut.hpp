@@ -26,9 +26,9 @@ struct CutRings {
   std::vector<Vec2> right;
 };
 
-/// Cuts a convex ring. Vertices within `relative_snap` diameters of the line are taken to lie on it,
-/// so that no edge comes out too short to matter; both parts use the same points, so that their areas
-/// add up. Nothing if the line leaves one side empty.
+/// Cuts a convex ring. Vertices within `relative_snap` diameters of the line are taken to lie on
+/// it, so that no edge comes out too short to matter; both parts use the same points, so that their
+/// areas add up. Nothing if the line leaves one side empty.
 [[nodiscard]] inline std::optional<CutRings> cut(Ring ring, const Line& line,
                                                  double relative_snap = 1e-6) {
   const double snap = relative_snap * diameter(ring);

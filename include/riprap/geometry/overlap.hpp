@@ -73,8 +73,7 @@ inline void drop_short_edges(OverlapPolygon& polygon, double tolerance) {
 
 /// Common part of two convex rings, in coordinates relative to `origin`; empty (size 0) where they
 /// do not overlap in an area. Edges shorter than `tolerance` [m] are dropped.
-[[nodiscard]] inline OverlapPolygon overlap(Ring a, Ring b, const Vec2& origin,
-                                            double tolerance) {
+[[nodiscard]] inline OverlapPolygon overlap(Ring a, Ring b, const Vec2& origin, double tolerance) {
   OverlapPolygon buffers[2];
   std::size_t current = 0;
   for (std::size_t i = 0; i < a.size(); ++i)

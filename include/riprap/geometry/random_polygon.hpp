@@ -25,10 +25,9 @@ struct PolygonShape {
     require(fewest_vertices >= 3, "PolygonShape.fewest_vertices", fewest_vertices,
             "must be 3 or more");
     require(most_vertices >= fewest_vertices && most_vertices <= max_polygon_vertices,
-            "PolygonShape.most_vertices", most_vertices,
-            "must lie between fewest_vertices and 64");
-    require(smallest_axis_ratio > 0 && smallest_axis_ratio <= 1,
-            "PolygonShape.smallest_axis_ratio", smallest_axis_ratio, "must lie in (0, 1]");
+            "PolygonShape.most_vertices", most_vertices, "must lie between fewest_vertices and 64");
+    require(smallest_axis_ratio > 0 && smallest_axis_ratio <= 1, "PolygonShape.smallest_axis_ratio",
+            smallest_axis_ratio, "must lie in (0, 1]");
     require(largest_axis_ratio >= smallest_axis_ratio && largest_axis_ratio <= 1,
             "PolygonShape.largest_axis_ratio", largest_axis_ratio,
             "must lie between smallest_axis_ratio and 1");

@@ -48,8 +48,8 @@ struct SeparatingEdge {
 
 /// The direction in which two overlapping rings are least entangled.
 struct MinimumTranslation {
-  double depth = 0;    ///< [m]; negative: the rings are that far apart along `normal`
-  Vec2 normal{1, 0};   ///< unit vector from a to b: shifting b by depth * normal parts them
+  double depth = 0;   ///< [m]; negative: the rings are that far apart along `normal`
+  Vec2 normal{1, 0};  ///< unit vector from a to b: shifting b by depth * normal parts them
 };
 
 /// Separating-axis search over the edge normals of two convex rings; exact for overlapping ones.

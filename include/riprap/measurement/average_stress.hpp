@@ -11,9 +11,9 @@
 
 namespace riprap {
 
-/// Eq. 13 (Rothenburg 1980): sigma_ij = 1 / (A t) sum of f_i l_j over contacts, compression positive,
-/// symmetric part. `contacts` offers for_each_touching(visit); f is the force on b, l the branch
-/// from a to b.
+/// Eq. 13 (Rothenburg 1980): sigma_ij = 1 / (A t) sum of f_i l_j over contacts, compression
+/// positive, symmetric part. `contacts` offers for_each_touching(visit); f is the force on b, l the
+/// branch from a to b.
 /// @param area of the assembly [m^2]; @param thickness [m]
 template <class Contacts>
 [[nodiscard]] Stress2 average_stress(const Contacts& contacts, double area, double thickness) {
@@ -63,8 +63,8 @@ template <class Contacts, class Bodies>
   return (1 / (region.area() * thickness)) * sum;
 }
 
-/// Eq. 12 for a test that loads axis 2: (sigma_22 - sigma_11) / (sigma_22 + sigma_11); 0 where there
-/// is no stress.
+/// Eq. 12 for a test that loads axis 2: (sigma_22 - sigma_11) / (sigma_22 + sigma_11); 0 where
+/// there is no stress.
 [[nodiscard]] inline double sin_phi(const Stress2& stress) {
   const double sum = stress.s22 + stress.s11;
   return sum == 0 ? 0 : (stress.s22 - stress.s11) / sum;

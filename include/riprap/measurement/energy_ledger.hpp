@@ -78,8 +78,8 @@ class EnergyLedger {
     // A contact that carries less than before may slip at once; that has a term of its own.
     const double slip = std::exchange(slip_, sim.contacts().slipped());
     const double dashpot = std::exchange(dashpot_, sim.contacts().damped());
-    terms_.breakage += before_split_ - stored_ - kinetic_energy(sim.particles()) -
-                       (slip_ - slip) - (dashpot_ - dashpot);
+    terms_.breakage += before_split_ - stored_ - kinetic_energy(sim.particles()) - (slip_ - slip) -
+                       (dashpot_ - dashpot);
   }
 
   /// The terms as of now.
@@ -110,8 +110,12 @@ class EnergyLedger {
 
   template <class Sim>
   [[nodiscard]] static Totals totals(const Sim& sim) {
-    return {sim.work().boundary,  sim.work().body_force, sim.work().damping,
-            kinetic_energy(sim.particles()), stored_energy(sim.contacts()),    sim.contacts().slipped(),
+    return {sim.work().boundary,
+            sim.work().body_force,
+            sim.work().damping,
+            kinetic_energy(sim.particles()),
+            stored_energy(sim.contacts()),
+            sim.contacts().slipped(),
             sim.contacts().damped()};
   }
 

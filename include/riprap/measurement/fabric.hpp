@@ -44,13 +44,13 @@ struct Anisotropy {
 ///   f_t(theta) = -f_0 a_t sin 2(theta - theta_t)                                eq. 11
 /// and likewise for the branch vector's parts along and across the normal, with l_0, b_n, b_t.
 struct Fabric {
-  Anisotropy normals{};             ///< a, theta_0
-  Anisotropy normal_forces{};       ///< a_n, theta_f
-  Anisotropy tangential_forces{};   ///< a_t, theta_t
-  Anisotropy normal_branches{};     ///< b_n
-  Anisotropy tangential_branches{}; ///< b_t
-  double mean_normal_force = 0;   ///< f_0 [N], mean over orientations, not over contacts
-  double mean_branch = 0;         ///< l_0 [m], likewise
+  Anisotropy normals{};              ///< a, theta_0
+  Anisotropy normal_forces{};        ///< a_n, theta_f
+  Anisotropy tangential_forces{};    ///< a_t, theta_t
+  Anisotropy normal_branches{};      ///< b_n
+  Anisotropy tangential_branches{};  ///< b_t
+  double mean_normal_force = 0;      ///< f_0 [N], mean over orientations, not over contacts
+  double mean_branch = 0;            ///< l_0 [m], likewise
 };
 
 namespace internal {
@@ -74,8 +74,8 @@ struct Deviator {
 }  // namespace internal
 
 /// Second-order moments give the coefficients, without bins. Forces and branches are averaged over
-/// orientations: each contact is weighted by 1 / (1 + a cos 2(theta - theta_0)), for a plain average
-/// over contacts biases a_n.
+/// orientations: each contact is weighted by 1 / (1 + a cos 2(theta - theta_0)), for a plain
+/// average over contacts biases a_n.
 [[nodiscard]] inline Fabric fabric(std::span<const ContactSample> samples) {
   Fabric result;
   internal::Deviator normals;

@@ -26,8 +26,8 @@ namespace riprap {
 }
 
 /// The full relation: the stress tensor of the five Fourier distributions together, per contact,
-/// sigma_ij = mean over theta of 2 pi E f_i l_j, symmetric part. Trigonometric polynomials of degree
-/// eight: a sum over 16 directions is exact.
+/// sigma_ij = mean over theta of 2 pi E f_i l_j, symmetric part. Trigonometric polynomials of
+/// degree eight: a sum over 16 directions is exact.
 [[nodiscard]] inline Stress2 stress_from_fabric(const Fabric& f) {
   constexpr int directions = 16;
   Stress2 sum;

@@ -64,8 +64,7 @@ class BoundaryPolygon {
       const std::size_t next = (k + 1) % n;
       const Ring here = particles.ring(members_[k]);
       sum += area_in_wedge(here, ring[k] - ring[(k + n - 1) % n], ring[next] - ring[k], ring[k]);
-      const OverlapPolygon common =
-          overlap(here, particles.ring(members_[next]), Vec2{0, 0}, 0);
+      const OverlapPolygon common = overlap(here, particles.ring(members_[next]), Vec2{0, 0}, 0);
       sum -= area_on_left(common.ring(), Line{ring[k], (ring[next] - ring[k]).normalized()});
     }
     return sum;

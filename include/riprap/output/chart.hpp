@@ -131,8 +131,7 @@ struct Chart {
   const std::size_t rows = (charts.size() + 1) / 2;
   Svg svg(charts.size() > 1 ? 2 * width : width, height * static_cast<double>(rows));
   for (std::size_t i = 0; i < charts.size(); ++i)
-    charts[i].draw(svg,
-                   {width * static_cast<double>(i % 2), height * static_cast<double>(i / 2)},
+    charts[i].draw(svg, {width * static_cast<double>(i % 2), height * static_cast<double>(i / 2)},
                    {width, height});
   return svg;
 }

@@ -17,8 +17,7 @@ namespace riprap {
                                bool dashed = false) {
     Series s{std::move(name), {}, std::move(colour), dashed};
     for (const CurvePoint& p : curve.points())
-      s.points.push_back(
-          {100 * p.axial_strain, static_cast<double>(std::invoke(value, p))});
+      s.points.push_back({100 * p.axial_strain, static_cast<double>(std::invoke(value, p))});
     return s;
   };
   const std::string strain = "axial strain [%]";

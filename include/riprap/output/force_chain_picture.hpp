@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// A picture of the contact forces: a line from centroid to centroid, as wide as the normal force is
-/// large.
+/// A picture of the contact forces: a line from centroid to centroid, as wide as the normal force
+/// is large.
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +18,9 @@ template <class Contacts>
   const AssemblyView view(particles);
   Svg svg = view.canvas();
   for (BodyIndex i = 0; i < particles.size(); ++i)
-    svg.polygon(view(particles.ring(i)),
-                std::string("fill=\"") + (particles.body(i).is_free() ? "#faf7f0" : "#e3e5e8") +
-                    "\" stroke=\"#c9c4b8\" stroke-width=\"0.5\"");
+    svg.polygon(view(particles.ring(i)), std::string("fill=\"") +
+                                             (particles.body(i).is_free() ? "#faf7f0" : "#e3e5e8") +
+                                             "\" stroke=\"#c9c4b8\" stroke-width=\"0.5\"");
 
   double mean = 0;
   std::size_t count = 0;

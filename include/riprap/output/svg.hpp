@@ -55,8 +55,8 @@ class Svg {
     body_ += "<text x=\"" + number(at.x()) + "\" y=\"" + number(at.y()) + "\" font-size=\"" +
              number(size) + "\" text-anchor=\"" + std::string(anchor) + "\"";
     if (turn != 0)
-      body_ += " transform=\"rotate(" + number(turn) + " " + number(at.x()) + " " +
-               number(at.y()) + ")\"";
+      body_ += " transform=\"rotate(" + number(turn) + " " + number(at.x()) + " " + number(at.y()) +
+               ")\"";
     body_ += ">" + escaped(content) + "</text>\n";
   }
 

@@ -21,9 +21,9 @@ enum class Motion : unsigned char {
 
 /// A rigid body; its shape is stored beside it in Particles.
 struct Body {
-  Vec2 position{0, 0};  ///< of the centroid [m]
-  Rotation rotation;    ///< from the body's own frame to the laboratory's
-  Vec2 velocity{0, 0};  ///< [m/s]
+  Vec2 position{0, 0};          ///< of the centroid [m]
+  Rotation rotation;            ///< from the body's own frame to the laboratory's
+  Vec2 velocity{0, 0};          ///< [m/s]
   double angular_velocity = 0;  ///< [rad/s]
   Wrench contact;               ///< sum over all contacts, as of the last force evaluation
   double mass = 0;              ///< true mass [kg]

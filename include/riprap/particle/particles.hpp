@@ -78,8 +78,7 @@ class Particles {
   }
 
  private:
-  void place(BodyIndex index, const ConvexPolygon& polygon, Motion motion,
-             const Ancestry* parent) {
+  void place(BodyIndex index, const ConvexPolygon& polygon, Motion motion, const Ancestry* parent) {
     const AreaProperties properties = area_properties(polygon.ring());
     Body body;
     body.position = properties.centroid;

@@ -43,9 +43,8 @@ struct RandomAssembly {
             largest_diameter, "must lie in [1, 10]");
     require(solid_fraction >= 0.05 && solid_fraction <= 0.5, "RandomAssembly.solid_fraction",
             solid_fraction, "must lie in [0.05, 0.5] (random placement jams above)");
-    require(dense_fraction > solid_fraction && dense_fraction <= 1,
-            "RandomAssembly.dense_fraction", dense_fraction,
-            "must lie above solid_fraction and be at most 1");
+    require(dense_fraction > solid_fraction && dense_fraction <= 1, "RandomAssembly.dense_fraction",
+            dense_fraction, "must lie above solid_fraction and be at most 1");
     require(boundary_spacing > 0 && boundary_spacing <= 2, "RandomAssembly.boundary_spacing",
             boundary_spacing, "must lie in (0, 2]");
     shape.validate();
@@ -99,8 +98,8 @@ class PlacementGrid {
   return high - low;
 }
 
-/// Polygons one after the other round the circle, each with the arc it needs. Moves the first few of
-/// `polygons` into the assembly; the ring closes at `dense_radius` and is placed at `radius`.
+/// Polygons one after the other round the circle, each with the arc it needs. Moves the first few
+/// of `polygons` into the assembly; the ring closes at `dense_radius` and is placed at `radius`.
 inline void place_ring(std::vector<ConvexPolygon>& polygons, double dense_radius, double radius,
                        double spacing, Assembly& assembly) {
   constexpr double two_pi = 2 * std::numbers::pi;

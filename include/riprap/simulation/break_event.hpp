@@ -14,11 +14,11 @@ namespace riprap {
 /// One particle has become two.
 struct BreakEvent {
   std::uint64_t step = 0;
-  double time = 0;          ///< [s]
-  Ancestry particle;        ///< the one that broke
-  FailureTally tally;       ///< of the evaluation that broke it
+  double time = 0;                         ///< [s]
+  Ancestry particle;                       ///< the one that broke
+  FailureTally tally;                      ///< of the evaluation that broke it
   FailureMode mode = FailureMode::intact;  ///< of the first failed element
-  Line line;                ///< the crack, in laboratory coordinates
+  Line line;                               ///< the crack, in laboratory coordinates
   std::array<ParticleId, 2> pieces{no_particle, no_particle};
   std::array<double, 2> areas{0, 0};  ///< [m^2]
 };

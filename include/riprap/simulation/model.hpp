@@ -213,9 +213,8 @@ struct Model {
   /// Where the crack runs.
   template <class Fit>
   [[nodiscard]] auto line_fit(Fit fit) const {
-    static_assert(LineFit<Fit>,
-                  "riprap: .line_fit(fit) needs a LineFit; the clauses are listed in "
-                  "riprap/breakage/line_fit/concepts.hpp");
+    static_assert(LineFit<Fit>, "riprap: .line_fit(fit) needs a LineFit; the clauses are listed in "
+                                "riprap/breakage/line_fit/concepts.hpp");
     const auto& m = breakage_model;
     return with_breakage(BreakageModel{m.criterion, m.trigger, std::move(fit), m.splitter,
                                        m.inheritance, m.check_every});

@@ -5,8 +5,8 @@
 namespace riprap {
 
 /// An observer is any object with some of the member functions named here; each is called with the
-/// simulation (const). A hook that an observer does not have costs nothing. Experiments add hooks of
-/// their own.
+/// simulation (const). A hook that an observer does not have costs nothing. Experiments add hooks
+/// of their own.
 ///
 ///     struct CountSteps {
 ///       long count = 0;

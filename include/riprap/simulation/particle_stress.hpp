@@ -43,9 +43,7 @@ class ParticleStress {
   }
 
   /// Contacts of particle i at the last `gather`.
-  [[nodiscard]] std::size_t contact_count(BodyIndex i) const {
-    return starts_[i + 1] - starts_[i];
-  }
+  [[nodiscard]] std::size_t contact_count(BodyIndex i) const { return starts_[i + 1] - starts_[i]; }
   /// A number that stays the same as long as the contact partners of i do.
   [[nodiscard]] std::uint64_t partners(BodyIndex i) const { return partners_[i]; }
 
@@ -68,9 +66,9 @@ class ParticleStress {
   const InfluenceOperator& influence(const Particles& particles, BodyIndex i) {
     if (operators_.size() < particles.size()) operators_.resize(particles.size());
     if (operators_[i].empty())
-      operators_[i] = InfluenceOperator(
-          model_.mesher(particles.local_ring(i)), model_.element, model_.plane_state, rock_,
-          particles.thickness(), decltype(model_.support)::needs_flexibility);
+      operators_[i] = InfluenceOperator(model_.mesher(particles.local_ring(i)), model_.element,
+                                        model_.plane_state, rock_, particles.thickness(),
+                                        decltype(model_.support)::needs_flexibility);
     return operators_[i];
   }
 

@@ -45,8 +45,7 @@ class Simulation {
 
   /// Throws InvalidInput if the model, the assembly or the rock breaks a rule.
   Simulation(ModelType model, const Assembly& assembly, const Rock& rock)
-      : model_(validated(std::move(model), assembly, rock)),
-        rock_(rock),
+      : model_(validated(std::move(model), assembly, rock)), rock_(rock),
         particles_(assembly.thickness, rock.density),
         contacts_(model_.contact_model.broad_phase, model_.contact_model.narrow_phase,
                   model_.contact_model.law),
@@ -133,7 +132,9 @@ class Simulation {
     stress_.gather(particles_, contacts_);
     return stress_.evaluate(particles_, i);
   }
-  [[nodiscard]] const Mesh& mesh(BodyIndex i) const { return stress_.influence(particles_, i).mesh(); }
+  [[nodiscard]] const Mesh& mesh(BodyIndex i) const {
+    return stress_.influence(particles_, i).mesh();
+  }
 
   /// Rat of every particle now (0 for driven ones), in the order of the bodies.
   [[nodiscard]] std::vector<double> failed_ratios() const {
@@ -142,9 +143,9 @@ class Simulation {
       stress_.gather(particles_, contacts_);
       for (BodyIndex i = 0; i < particles_.size(); ++i)
         if (particles_.body(i).is_free())
-          ratios[i] = tally_failures(model_.breakage_model.criterion,
-                                     stress_.evaluate(particles_, i))
-                          .ratio();
+          ratios[i] =
+              tally_failures(model_.breakage_model.criterion, stress_.evaluate(particles_, i))
+                  .ratio();
     }
     return ratios;
   }
@@ -206,9 +207,9 @@ class Simulation {
           integrator().finish(body, total, time_step_);
           book(before, body, damped, 0.5 * time_step_);
         } else {
-          work_.boundary -= 0.5 * time_step_ *
-                            (body.contact.force.dot(body.velocity) +
-                             body.contact.moment * body.angular_velocity);
+          work_.boundary -=
+              0.5 * time_step_ *
+              (body.contact.force.dot(body.velocity) + body.contact.moment * body.angular_velocity);
         }
       }
     }
@@ -314,8 +315,8 @@ class Simulation {
       if (body.is_free()) free = std::min(free, body.mass);
     }
     smallest_mass_ = free < none ? free : any < none ? any : smallest_mass_;
-    time_step_ = model_.motion_model.time_step.time_step(smallest_mass_,
-                                                         contacts_.law().peak_stiffness());
+    time_step_ =
+        model_.motion_model.time_step.time_step(smallest_mass_, contacts_.law().peak_stiffness());
   }
 
   [[nodiscard]] const auto& integrator() const { return model_.motion_model.integrator; }

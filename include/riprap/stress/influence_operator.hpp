@@ -28,8 +28,8 @@ class InfluenceOperator {
   /// @param thickness out of plane [m]
   /// @param with_flexibility also keep the displacements of the boundary (for pinned supports)
   template <Element E, PlaneState P>
-  InfluenceOperator(Mesh mesh, const E& element, const P& plane, const Rock& rock,
-                    double thickness, bool with_flexibility)
+  InfluenceOperator(Mesh mesh, const E& element, const P& plane, const Rock& rock, double thickness,
+                    bool with_flexibility)
       : mesh_(std::move(mesh)) {
     const Eigen::Matrix3d elasticity = plane.elasticity(rock);
     const Eigen::MatrixXd displacement = solve(element, elasticity, thickness);
@@ -69,10 +69,10 @@ class InfluenceOperator {
     const auto block = [&](std::uint32_t i, std::uint32_t j) -> Vec2 {
       return flexibility_.block<2, 2>(column(i), column(j)) * force;
     };
-    return of.weight * (at.weight * block(of.node, at.node) +
-                        (1 - at.weight) * block(of.node, at.next)) +
-           (1 - of.weight) * (at.weight * block(of.next, at.node) +
-                              (1 - at.weight) * block(of.next, at.next));
+    return of.weight *
+               (at.weight * block(of.node, at.node) + (1 - at.weight) * block(of.node, at.next)) +
+           (1 - of.weight) *
+               (at.weight * block(of.next, at.node) + (1 - at.weight) * block(of.next, at.next));
   }
 
   [[nodiscard]] std::size_t bytes() const {

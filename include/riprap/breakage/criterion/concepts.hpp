@@ -41,8 +41,8 @@ inline constexpr bool never_fails = [] {
   return std::asin((slope - 1) / (slope + 1));
 }
 
-/// Friction angle [rad] at sigma_3 = minor [Pa]: the criterion's own where it has one, else from the
-/// slope of its curve by a difference towards compression, where the curve is defined.
+/// Friction angle [rad] at sigma_3 = minor [Pa]: the criterion's own where it has one, else from
+/// the slope of its curve by a difference towards compression, where the curve is defined.
 template <FailureCriterion C>
 [[nodiscard]] double friction_angle(const C& criterion, double minor) {
   if constexpr (requires { criterion.friction_angle(minor); }) {

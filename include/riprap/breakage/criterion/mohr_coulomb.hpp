@@ -13,9 +13,9 @@ namespace riprap {
 /// `tension`, which may not pass the apex c / tan phi. The defaults are the straight line with the
 /// compressive and tensile strengths of Table 1's rock, at its angle of eq. 7 for sigma_3 = 0.
 struct MohrCoulomb {
-  double cohesion = 32.732684e6; ///< c [Pa]
-  double angle = 1.1410967;        ///< phi [rad]
-  double tension = 12e6;           ///< tensile strength [Pa]
+  double cohesion = 32.732684e6;  ///< c [Pa]
+  double angle = 1.1410967;       ///< phi [rad]
+  double tension = 12e6;          ///< tensile strength [Pa]
 
   [[nodiscard]] double major_stress_at_failure(double minor) const {
     const double root = slope_root();

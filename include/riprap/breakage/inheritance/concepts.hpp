@@ -12,8 +12,7 @@ namespace riprap {
 ///
 /// - `inherit(parent, piece)`: sets `piece.velocity` and `piece.angular_velocity`.
 template <class I>
-concept Inheritance = requires(const I& inherit, const Body& parent, Body& piece) {
-  inherit(parent, piece);
-};
+concept Inheritance =
+    requires(const I& inherit, const Body& parent, Body& piece) { inherit(parent, piece); };
 
 }  // namespace riprap

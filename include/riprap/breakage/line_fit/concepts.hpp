@@ -19,7 +19,8 @@ struct WeightedPoint {
 
 /// A `LineFit` draws one straight line through the failed elements.
 ///
-/// - `fit(points, planes)` -> the line, or nothing where the points determine none. `points` are the
+/// - `fit(points, planes)` -> the line, or nothing where the points determine none. `points` are
+/// the
 ///   failed elements only, in laboratory axes; `planes` are the failure planes of the first failed
 ///   element.
 template <class F>

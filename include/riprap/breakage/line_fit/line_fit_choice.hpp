@@ -15,8 +15,8 @@ struct LineFitChoice {
 
   [[nodiscard]] std::optional<Line> operator()(std::span<const WeightedPoint> points,
                                                const FailurePlanes& planes) const {
-    return std::visit(
-        [&](const auto& fit) -> std::optional<Line> { return fit(points, planes); }, chosen);
+    return std::visit([&](const auto& fit) -> std::optional<Line> { return fit(points, planes); },
+                      chosen);
   }
 };
 

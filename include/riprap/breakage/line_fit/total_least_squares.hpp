@@ -14,8 +14,7 @@ struct TotalLeastSquares {
                                                const FailurePlanes& /*planes*/) const {
     const WeightedMoments m = weighted_moments(points);
     const double half = 0.5 * (m.xx - m.yy);
-    if (std::hypot(half, m.xy) <= WeightedMoments::negligible * (m.xx + m.yy))
-      return std::nullopt;
+    if (std::hypot(half, m.xy) <= WeightedMoments::negligible * (m.xx + m.yy)) return std::nullopt;
     const double angle = 0.5 * std::atan2(m.xy, half);
     return Line{m.mean, Vec2{std::cos(angle), std::sin(angle)}};
   }

@@ -7,8 +7,8 @@
 
 namespace riprap {
 
-/// Of the two lines, the one closer to a failure plane of the first failed element; the Y line where
-/// they are equally close, the only one where the other does not exist.
+/// Of the two lines, the one closer to a failure plane of the first failed element; the Y line
+/// where they are equally close, the only one where the other does not exist.
 struct WeightedXY {
   [[nodiscard]] std::optional<Line> operator()(std::span<const WeightedPoint> points,
                                                const FailurePlanes& planes) const {

@@ -25,13 +25,12 @@ struct StraightCut {
 
   void validate() const {
     require_non_negative("StraightCut.minimum_area", minimum_area);
-    require(maximum_aspect >= 1, "StraightCut.maximum_aspect", maximum_aspect,
-            "must be 1 or more");
+    require(maximum_aspect >= 1, "StraightCut.maximum_aspect", maximum_aspect, "must be 1 or more");
   }
 
  private:
-  /// A crack that would pass a corner within a thousandth of the diameter ends in it: an edge shorter
-  /// than that would be meshed with triangles of no area.
+  /// A crack that would pass a corner within a thousandth of the diameter ends in it: an edge
+  /// shorter than that would be meshed with triangles of no area.
   static constexpr double snap = 1e-3;
 
   [[nodiscard]] bool acceptable(Ring piece, double mean_area) const {

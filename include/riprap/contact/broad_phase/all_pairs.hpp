@@ -21,9 +21,7 @@ struct AllPairs {
         if (boxes[i].meets(boxes[j])) visit(static_cast<BodyIndex>(i), static_cast<BodyIndex>(j));
   }
 
-  void validate() const {
-    require_non_negative("AllPairs.relative_skin", relative_skin);
-  }
+  void validate() const { require_non_negative("AllPairs.relative_skin", relative_skin); }
 };
 
 static_assert(BroadPhase<AllPairs>);

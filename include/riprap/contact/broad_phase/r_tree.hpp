@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// Broad phase on the R-tree of Boost.Geometry, for bodies of very different sizes. Optional: riprap.hpp
-/// does not include it.
+/// Broad phase on the R-tree of Boost.Geometry, for bodies of very different sizes. Optional:
+/// riprap.hpp does not include it.
 
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
@@ -42,9 +42,7 @@ struct RTree {
     }
   }
 
-  void validate() const {
-    require_non_negative("RTree.relative_skin", relative_skin);
-  }
+  void validate() const { require_non_negative("RTree.relative_skin", relative_skin); }
 };
 
 static_assert(BroadPhase<RTree>);

@@ -30,9 +30,8 @@ struct UniformGrid {
     std::vector<BodyIndex> members(starts.back());
     std::vector<std::uint32_t> filled(starts.begin(), starts.end() - 1);
     for (std::size_t i = 0; i < boxes.size(); ++i)
-      grid.visit_cells(boxes[i], [&](std::size_t cell) {
-        members[filled[cell]++] = static_cast<BodyIndex>(i);
-      });
+      grid.visit_cells(
+          boxes[i], [&](std::size_t cell) { members[filled[cell]++] = static_cast<BodyIndex>(i); });
     for (std::size_t cell = 0; cell + 1 < starts.size(); ++cell)
       for (std::uint32_t k = starts[cell]; k < starts[cell + 1]; ++k)
         for (std::uint32_t l = k + 1; l < starts[cell + 1]; ++l) {
@@ -44,9 +43,7 @@ struct UniformGrid {
         }
   }
 
-  void validate() const {
-    require_non_negative("UniformGrid.relative_skin", relative_skin);
-  }
+  void validate() const { require_non_negative("UniformGrid.relative_skin", relative_skin); }
 
  private:
   struct Layout {
@@ -87,9 +84,8 @@ struct UniformGrid {
     const auto count = static_cast<double>(boxes.size());
     const Vec2 span = high - low;
     // Bodies scattered far apart must not ask for more than a few cells each.
-    const double cell =
-        std::max({extent / count, std::sqrt(span.x() * span.y() / (4 * count)),
-                  std::max(span.x(), span.y()) / (4 * count)});
+    const double cell = std::max({extent / count, std::sqrt(span.x() * span.y() / (4 * count)),
+                                  std::max(span.x(), span.y()) / (4 * count)});
     const auto cells = [cell](double length) {
       return length > 0 ? static_cast<std::size_t>(length / cell) + 1 : 1;
     };

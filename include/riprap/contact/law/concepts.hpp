@@ -35,14 +35,13 @@ struct ContactForce {
 ///
 /// A law that has a member `friction` lets experiments switch friction off while they compact.
 template <class L>
-concept ContactLaw =
-    std::default_initializable<typename L::History> &&
-    requires(const L& law, const ContactGeometry& geometry, const ContactMotion& motion,
-             typename L::History& history) {
-      { law(geometry, motion, history) } -> std::same_as<ContactForce>;
-      { law.stored_energy(geometry, history) } -> std::convertible_to<double>;
-      { law.peak_stiffness() } -> std::convertible_to<double>;
-      law.validate();
-    };
+concept ContactLaw = std::default_initializable<typename L::History> &&
+                     requires(const L& law, const ContactGeometry& geometry,
+                              const ContactMotion& motion, typename L::History& history) {
+                       { law(geometry, motion, history) } -> std::same_as<ContactForce>;
+                       { law.stored_energy(geometry, history) } -> std::convertible_to<double>;
+                       { law.peak_stiffness() } -> std::convertible_to<double>;
+                       law.validate();
+                     };
 
 }  // namespace riprap

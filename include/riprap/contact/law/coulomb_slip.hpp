@@ -23,8 +23,7 @@ struct CoulombSlip {
   const double trial = before - stiffness * velocity * time_step;
   CoulombSlip result{.force = std::clamp(trial, -cap, cap)};
   if (stiffness > 0)
-    result.slipped =
-        std::abs(0.5 * (before + result.force) * (trial - result.force)) / stiffness;
+    result.slipped = std::abs(0.5 * (before + result.force) * (trial - result.force)) / stiffness;
   return result;
 }
 

@@ -10,10 +10,10 @@
 namespace riprap {
 
 /// Energy W = area_stiffness * area^2 / 2, force W'(area) * chord = area_stiffness * area * chord
-/// along the chord's normal at its middle. Under any rigid motion of the two bodies the area changes
-/// by chord times the normal displacement at the middle of the chord (divergence theorem), so the
-/// normal force does no net work round a closed path, turns included; LinearSpringCoulomb's does.
-/// The tangential spring is that of LinearSpringCoulomb.
+/// along the chord's normal at its middle. Under any rigid motion of the two bodies the area
+/// changes by chord times the normal displacement at the middle of the chord (divergence theorem),
+/// so the normal force does no net work round a closed path, turns included; LinearSpringCoulomb's
+/// does. The tangential spring is that of LinearSpringCoulomb.
 struct OverlapAreaSpring {
   double area_stiffness = 6e11;       ///< [N/m^3]; 2 k_n / chord^2 matches k_n at a chord
   double tangential_stiffness = 2e7;  ///< k_s [N/m]

@@ -35,8 +35,8 @@ struct OverlapChord {
     ContactGeometry contact = chord_contact(a, b, common, size);
     contact.area = properties.area;
     if (contact.chord > 0) {
-      contact.depth = std::min(extent_along(common, contact.normal),
-                               2 * properties.area / contact.chord);
+      contact.depth =
+          std::min(extent_along(common, contact.normal), 2 * properties.area / contact.chord);
     } else {
       const MinimumTranslation least = minimum_translation(a, b);
       contact.normal = least.normal;
@@ -52,8 +52,8 @@ struct OverlapChord {
   static constexpr double negligible = 1e-10;
 
   // Normal, point and chord if there are exactly two proper crossings; chord 0 otherwise.
-  [[nodiscard]] static ContactGeometry chord_contact(Ring a, Ring b,
-                                                     const OverlapPolygon& common, double size) {
+  [[nodiscard]] static ContactGeometry chord_contact(Ring a, Ring b, const OverlapPolygon& common,
+                                                     double size) {
     ContactGeometry contact;
     Vec2 enters_a;  // where the overlap's boundary changes from b's edges to a's
     Vec2 leaves_a;
@@ -88,8 +88,7 @@ struct OverlapChord {
   [[nodiscard]] static bool ends_at(Ring ring, std::size_t edge, const Vec2& x, double tolerance) {
     const Vec2& p = ring[edge];
     const Vec2& q = ring[edge + 1 == ring.size() ? 0 : edge + 1];
-    return (x - p).cwiseAbs().maxCoeff() <= tolerance ||
-           (x - q).cwiseAbs().maxCoeff() <= tolerance;
+    return (x - p).cwiseAbs().maxCoeff() <= tolerance || (x - q).cwiseAbs().maxCoeff() <= tolerance;
   }
 
   [[nodiscard]] static double extent_along(const OverlapPolygon& polygon, const Vec2& axis) {

@@ -26,7 +26,8 @@ concept Integrator =
       integrator.finish(body, wrench, time_step);
     };
 
-/// Moves a body at its present velocity: the drift of every scheme, and all that a driven body does.
+/// Moves a body at its present velocity: the drift of every scheme, and all that a driven body
+/// does.
 inline void drift(Body& body, double time_step) {
   body.position += time_step * body.velocity;
   if (body.angular_velocity != 0)

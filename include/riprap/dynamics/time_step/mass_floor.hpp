@@ -10,8 +10,8 @@
 
 namespace riprap {
 
-/// dt = fraction * sqrt(m / k). At 0.12 sharp samples come to rest and the answer in shear no longer
-/// depends on the step; at 0.5 it runs and the answer is wrong.
+/// dt = fraction * sqrt(m / k). At 0.12 sharp samples come to rest and the answer in shear no
+/// longer depends on the step; at 0.5 it runs and the answer is wrong.
 struct MassFloor {
   double fraction = 0.12;  ///< of sqrt(m / k) [-]
 

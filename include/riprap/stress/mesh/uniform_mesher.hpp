@@ -35,7 +35,8 @@ struct UniformMesher {
   }
 
  private:
-  // Euler's relation: every triangulation of b hull points and i inner ones has 2 i + b - 2 triangles.
+  // Euler's relation: every triangulation of b hull points and i inner ones has 2 i + b - 2
+  // triangles.
   [[nodiscard]] static std::size_t triangle_count(const Mesh& points) {
     return 2 * points.nodes.size() - points.boundary_nodes - 2;
   }
@@ -51,8 +52,8 @@ struct UniformMesher {
       for (const double phase : {0.0, 1.0 / 3}) {
         const double spacing = equilateral * (1 + 0.01 * (k % 2 ? -(k + 1) / 2 : k / 2));
         Mesh points = place_points(ring, spacing, phase);
-        const double miss = std::abs(static_cast<double>(triangle_count(points)) -
-                                     static_cast<double>(triangles));
+        const double miss =
+            std::abs(static_cast<double>(triangle_count(points)) - static_cast<double>(triangles));
         if (miss >= best_miss) continue;
         best_miss = miss;
         best = std::move(points);
@@ -95,10 +96,10 @@ struct UniformMesher {
   }
 
   // Boost.Polygon works on integers. All points are drawn towards the centroid by a hair that grows
-  // with their distance from it, which bends the edges outwards: the hull is strictly convex, and no
-  // triangle lies flat on an edge or across a corner that is nearly straight.
-  [[nodiscard]] static std::vector<boost::polygon::point_data<int>> integer_points(
-      Ring ring, const Mesh& mesh) {
+  // with their distance from it, which bends the edges outwards: the hull is strictly convex, and
+  // no triangle lies flat on an edge or across a corner that is nearly straight.
+  [[nodiscard]] static std::vector<boost::polygon::point_data<int>>
+  integer_points(Ring ring, const Mesh& mesh) {
     const double size = diameter(ring);
     std::vector<boost::polygon::point_data<int>> points;
     points.reserve(mesh.nodes.size());

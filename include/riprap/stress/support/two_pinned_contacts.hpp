@@ -51,8 +51,8 @@ struct TwoPinnedContacts {
     double gap = 0;
     for (const BoundaryLoad& load : loads)
       gap += stretch(op, p.at, q.at, along, load.at, load.force);
-    const double unit = stretch(op, p.at, q.at, along, q.at, along) -
-                        stretch(op, p.at, q.at, along, p.at, along);
+    const double unit =
+        stretch(op, p.at, q.at, along, q.at, along) - stretch(op, p.at, q.at, along, p.at, along);
     const Vec2 pull = -(gap / unit) * along;
     q.force += pull;
     p.force -= pull;
@@ -72,8 +72,7 @@ struct TwoPinnedContacts {
     double best_value = -1;
     for (std::size_t i = 0; i < loads.size(); ++i)
       for (std::size_t j = i + 1; j < loads.size(); ++j) {
-        const double distance =
-            (mesh.position(loads[i].at) - mesh.position(loads[j].at)).norm();
+        const double distance = (mesh.position(loads[i].at) - mesh.position(loads[j].at)).norm();
         if (distance <= coincident * mesh.nodes[0].norm()) continue;
         const double value = choice == Choice::farthest_apart
                                  ? distance
