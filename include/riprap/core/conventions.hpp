@@ -14,6 +14,5 @@
 /// - Tolerances are relative to the size of the particles concerned.
 
 #if defined(__FAST_MATH__)
-#error                                                                                             \
-    "riprap needs IEEE arithmetic: compile without -ffast-math (the same input gives the same bytes)"
+#error "riprap needs IEEE arithmetic; compile it without -ffast-math"
 #endif

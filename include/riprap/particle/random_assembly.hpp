@@ -21,7 +21,7 @@ namespace riprap {
 struct RandomAssembly {
   unsigned count = 500;          ///< particles, those of the boundary included
   double mean_diameter = 0.016;  ///< of the circle of equal area [m]
-  double thickness = 0.016;      ///< [m]; keep it near the diameter, see docs
+  double thickness = 0.016;      ///< [m]; keep it near the diameter, see docs/choices.md
   std::uint64_t seed = 1;
   PolygonShape shape = {};
   double smallest_diameter = 0.7;  ///< over the mean [-]; diameters are uniform in between
