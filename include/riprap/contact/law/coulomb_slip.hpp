@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <riprap/contact/law/concepts.hpp>
 #include <riprap/core/errors.hpp>
 
 namespace riprap {
@@ -25,6 +26,17 @@ struct CoulombSlip {
   if (stiffness > 0)
     result.slipped = std::abs(0.5 * (before + result.force) * (trial - result.force)) / stiffness;
   return result;
+}
+
+/// Fills in the tangential half of a contact force.
+/// @param spring the tangential force kept in the history [N]; brought up to date
+inline void add_coulomb_slip(ContactForce& force, double& spring, double stiffness, double friction,
+                             const ContactMotion& motion) {
+  const CoulombSlip slip =
+      coulomb_slip(spring, stiffness, motion.tangential_velocity, motion.time_step,
+                   friction * std::max(force.normal, 0.0));
+  force.tangential = spring = slip.force;
+  force.slipped = slip.slipped;
 }
 
 /// Energy stored in the spring [J].

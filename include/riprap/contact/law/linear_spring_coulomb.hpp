@@ -23,11 +23,7 @@ struct LinearSpringCoulomb {
   [[nodiscard]] ContactForce operator()(const ContactGeometry& geometry,
                                         const ContactMotion& motion, History& history) const {
     ContactForce force{.normal = normal_stiffness * geometry.depth};
-    const CoulombSlip slip =
-        coulomb_slip(history.tangential_force, tangential_stiffness, motion.tangential_velocity,
-                     motion.time_step, friction * force.normal);
-    force.tangential = history.tangential_force = slip.force;
-    force.slipped = slip.slipped;
+    add_coulomb_slip(force, history.tangential_force, tangential_stiffness, friction, motion);
     return force;
   }
 

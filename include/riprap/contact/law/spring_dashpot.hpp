@@ -34,11 +34,7 @@ struct SpringDashpot {
     ContactForce force{.normal = spring - viscosity * motion.normal_velocity};
     if (!may_pull) force.normal = std::max(force.normal, 0.0);
     force.damped = (spring - force.normal) * motion.normal_velocity * motion.time_step;
-    const CoulombSlip slip =
-        coulomb_slip(history.tangential_force, tangential_stiffness, motion.tangential_velocity,
-                     motion.time_step, friction * std::max(force.normal, 0.0));
-    force.tangential = history.tangential_force = slip.force;
-    force.slipped = slip.slipped;
+    add_coulomb_slip(force, history.tangential_force, tangential_stiffness, friction, motion);
     return force;
   }
 
