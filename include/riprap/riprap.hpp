@@ -10,6 +10,7 @@
 #include <riprap/breakage/line_fit/total_least_squares.hpp>
 #include <riprap/breakage/trigger/any_element.hpp>
 #include <riprap/breakage/trigger/never_breaks.hpp>
+#include <riprap/breakage/trigger/weibull_strength.hpp>
 #include <riprap/contact/broad_phase/all_pairs.hpp>
 #include <riprap/contact/law/no_contact_force.hpp>
 #include <riprap/contact/law/overlap_area_spring.hpp>

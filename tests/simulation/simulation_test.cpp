@@ -182,6 +182,25 @@ TEST_CASE("checks fall on multiples of check_every") {
   CHECK(seldom.breaks()[0].step < every.breaks()[0].step + 50);
 }
 
+TEST_CASE("a particle of twice the strength breaks under twice the load") {
+  // The platens approach at constant speed and the contacts are linear: load grows with depth.
+  struct TwiceAsStrong : FailedElementRatio {
+    double factor = 1;
+    double strength_factor(ParticleId, double) const { return factor; }
+  };
+  const auto depth_at_break = [](double factor) {
+    TwiceAsStrong trigger;
+    trigger.factor = factor;
+    Simulation sim{crushing_model().trigger(trigger), test::square_between_platens(platen_speed),
+                   Rock{}};
+    crush(sim);
+    REQUIRE(sim.breaks().size() == 1);
+    return platen_speed * sim.time();
+  };
+  // A check per step and the swing of the particle between the platens: some parts in a thousand.
+  CHECK(depth_at_break(2) / depth_at_break(1) == doctest::Approx(2).epsilon(0.02));
+}
+
 TEST_CASE("a refused cut is not tried again while the contact partners stay the same") {
   int asked = 0;
   Simulation sim{crushing_model().splitter(CountingRefusal{&asked}),

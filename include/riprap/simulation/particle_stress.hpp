@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <riprap/core/hash.hpp>
 #include <riprap/material/rock.hpp>
 #include <riprap/particle/particles.hpp>
 #include <riprap/stress/boundary_load.hpp>
@@ -29,8 +30,8 @@ class ParticleStress {
     contacts.for_each_touching([&](const auto& c) {
       ++starts_[c.a + 1];
       ++starts_[c.b + 1];
-      partners_[c.a] += mark(particles.ancestry(c.b).id);
-      partners_[c.b] += mark(particles.ancestry(c.a).id);
+      partners_[c.a] += spread_bits(particles.ancestry(c.b).id);
+      partners_[c.b] += spread_bits(particles.ancestry(c.a).id);
     });
     for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
     loads_.resize(starts_.back());
@@ -47,9 +48,9 @@ class ParticleStress {
   /// A number that stays the same as long as the contact partners of i do.
   [[nodiscard]] std::uint64_t partners(BodyIndex i) const { return partners_[i]; }
 
-  /// Element stresses of particle i under the gathered loads, in its own frame. The reference is
-  /// good until the next call.
-  const ElementStress& evaluate(const Particles& particles, BodyIndex i) {
+  /// Element stresses of particle i under `scale` times the gathered loads, in its own frame. The
+  /// reference is good until the next call.
+  const ElementStress& evaluate(const Particles& particles, BodyIndex i, double scale = 1) {
     const InfluenceOperator& op = influence(particles, i);
     const Rotation& rotation = particles.body(i).rotation;
     settled_.clear();
@@ -58,7 +59,7 @@ class ParticleStress {
                           rotation.inverse_times(loads_[k].force), loads_[k].normal_force});
     model_.support.settle(std::span<BoundaryLoad>(settled_), op);
     stress_.reset(op.mesh().size());
-    for (const BoundaryLoad& load : settled_) op.add_stress(load.at, load.force, stress_);
+    for (const BoundaryLoad& load : settled_) op.add_stress(load.at, scale * load.force, stress_);
     return stress_;
   }
 
@@ -91,14 +92,6 @@ class ParticleStress {
     Vec2 force{0, 0};
     double normal_force = 0;
   };
-
-  // Spreads ids over 64 bits (splitmix64), so that sums of marks tell sets of ids apart.
-  [[nodiscard]] static std::uint64_t mark(ParticleId id) {
-    std::uint64_t z = id + 0x9E3779B97F4A7C15ull;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
-    return z ^ (z >> 31);
-  }
 
   StressPart model_;
   Rock rock_;

@@ -12,6 +12,10 @@ namespace riprap {
 ///
 /// - `trigger(tally)` -> bool
 /// - `trigger.validate()`: throws InvalidInput for parameters that break a rule.
+///
+/// Optional:
+/// - `trigger.strength_factor(id, area)` [-], above 0: strength of the particle over that of the
+///   criterion, the same whenever it is asked for.
 template <class T>
 concept BreakageTrigger = requires(const T& trigger, const FailureTally& tally) {
   { trigger(tally) } -> std::convertible_to<bool>;

@@ -1,0 +1,41 @@
+#pragma once
+/// @file
+/// Failed-element ratio with a random strength for every particle: larger ones are weaker.
+
+#include <cmath>
+#include <cstdint>
+
+#include <riprap/breakage/trigger/concepts.hpp>
+#include <riprap/core/errors.hpp>
+#include <riprap/core/hash.hpp>
+#include <riprap/core/ids.hpp>
+
+namespace riprap {
+
+/// The strength of a particle of area A is the criterion's times a factor s with
+/// P(s) = 1 - exp(-(A / A_0) s^m) (Weibull 1951): the same draw for a particle all its life,
+/// another for each of its pieces. The breaking rule is that of FailedElementRatio.
+struct WeibullStrength {
+  double modulus = 5;  ///< m [-]; the higher, the more alike the particles
+  double reference_area =
+      2e-4;               ///< A_0 [m^2]: a particle of this area has the characteristic strength
+  double critical = 0.4;  ///< RatF [-]
+  std::uint64_t seed = 1;
+
+  /// Strength of a particle over that of the criterion [-].
+  [[nodiscard]] double strength_factor(ParticleId id, double area) const {
+    return std::pow(-std::log1p(-draw(seed, id)) * reference_area / area, 1 / modulus);
+  }
+  [[nodiscard]] bool operator()(const FailureTally& tally) const {
+    return tally.ratio() >= critical;
+  }
+  void validate() const {
+    require_positive("WeibullStrength.modulus", modulus);
+    require_positive("WeibullStrength.reference_area", reference_area);
+    require_positive("WeibullStrength.critical", critical);
+  }
+};
+
+static_assert(BreakageTrigger<WeibullStrength>);
+
+}  // namespace riprap
