@@ -1,0 +1,35 @@
+# A page of docs/policies shows the program of its example, to the letter, between fences; every
+# page has a program and every program a page.
+cmake_policy(VERSION 3.21)
+
+file(GLOB pages ${policies}/*.md)
+file(GLOB programs ${policies}/examples/*.cpp)
+set(page_roles "")
+set(violations "")
+
+foreach(page IN LISTS pages)
+  get_filename_component(role ${page} NAME_WE)
+  list(APPEND page_roles ${role})
+  set(program ${policies}/examples/${role}.cpp)
+  if(NOT EXISTS ${program})
+    string(APPEND violations "\n  ${role}.md: no examples/${role}.cpp")
+    continue()
+  endif()
+  file(READ ${page} shown)
+  file(READ ${program} text)
+  string(FIND "${shown}" "\n```cpp\n${text}```\n" place)
+  if(place EQUAL -1)
+    string(APPEND violations "\n  ${role}.md: does not show examples/${role}.cpp as it is")
+  endif()
+endforeach()
+
+foreach(program IN LISTS programs)
+  get_filename_component(role ${program} NAME_WE)
+  if(NOT role IN_LIST page_roles)
+    string(APPEND violations "\n  examples/${role}.cpp: no page ${role}.md shows it")
+  endif()
+endforeach()
+
+if(violations OR NOT pages)
+  message(FATAL_ERROR "Pages and programs of docs/policies differ:${violations}\n")
+endif()
