@@ -1,0 +1,36 @@
+# Installs riprap as its user would, and then moves it to `prefix`. Clears what the package tests
+# have left there before.
+get_filename_component(folder ${prefix} DIRECTORY)
+set(build ${folder}/build)
+set(first ${folder}/first)
+foreach(left build first moved installed add_subdirectory fetch_content pkg_config)
+  file(REMOVE_RECURSE ${folder}/${left})
+endforeach()
+execute_process(
+  COMMAND ${CMAKE_COMMAND} -S ${source} -B ${build} -G ${generator}
+          -DCMAKE_CXX_COMPILER=${compiler} "-DCMAKE_PREFIX_PATH=${prefix_path}"
+          -DRIPRAP_BUILD_TESTS=OFF -DRIPRAP_BUILD_EXAMPLES=OFF -DRIPRAP_BUILD_BENCHMARKS=OFF
+  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${build} --prefix ${first}
+                OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(RENAME ${first} ${prefix})
+
+file(GLOB_RECURSE wanted RELATIVE ${source} ${source}/include/*.hpp)
+list(APPEND wanted
+     share/cmake/riprap/riprapConfig.cmake share/cmake/riprap/riprapConfigVersion.cmake
+     share/cmake/riprap/riprapTargets.cmake share/doc/riprap/LICENSE share/pkgconfig/riprap.pc)
+file(GLOB_RECURSE files RELATIVE ${prefix} ${prefix}/*)
+if(NOT files STREQUAL wanted)
+  message(FATAL_ERROR "Installed:\n${files}\nThis should be:\n${wanted}")
+endif()
+
+list(FILTER files INCLUDE REGEX "^share/")
+foreach(file IN LISTS files)
+  file(READ ${prefix}/${file} text)
+  foreach(place ${build} ${source} ${first})
+    string(FIND "${text}" ${place} found)
+    if(NOT found EQUAL -1)
+      message(FATAL_ERROR "${file} names ${place}: the package cannot be moved")
+    endif()
+  endforeach()
+endforeach()
