@@ -1,0 +1,145 @@
+// Mesh, stress, failure, lines, cut: the steps of one check.
+
+#include "analysis.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <span>
+
+#include <riprap/breakage/line_fit/weighted_xy.hpp>
+#include <riprap/stress/element/constant_strain_triangle.hpp>
+#include <riprap/stress/influence_operator.hpp>
+#include <riprap/stress/plane_state/plane_stress.hpp>
+#include <riprap/stress/support/inertia_relief.hpp>
+#include <riprap/stress/support/two_pinned_contacts.hpp>
+
+using namespace riprap;
+
+namespace {
+
+// The parts of a model that find_crack asks for.
+struct Breaking {
+  decltype(Case::criterion) criterion;
+  WeightedXY line_fit{};
+  StraightCut splitter{};
+};
+
+void check(const Case& c) {
+  require_positive("--thickness", c.thickness);
+  c.mesher.validate();
+  c.trigger.validate();
+  c.rock.validate();
+  c.criterion.validate();
+  c.splitter.validate();
+  for (const PointForce& f : c.forces)
+    for (const double value : {f.at.x(), f.at.y(), f.force.x(), f.force.y()})
+      require(std::isfinite(value), "--force", value, "must be a finite number");
+}
+
+// Contacts know their normal; of a bare force it is the share across the edge it acts on.
+BoundaryLoad boundary_load(const Mesh& mesh, const Vec2& at, const Vec2& force) {
+  const BoundaryPoint point = mesh.nearest_boundary_point(at);
+  const Vec2 inward = perpendicular(mesh.nodes[point.next] - mesh.nodes[point.node]).normalized();
+  return {point, force, std::max(0.0, inward.dot(force))};
+}
+
+template <Support S>
+void solve(Analysis& a, const S& support) {
+  const Case& c = a.given;
+  const InfluenceOperator op(a.mesh, ConstantStrainTriangle{}, PlaneStress{}, c.rock, c.thickness,
+                             S::needs_flexibility);
+  a.settled = a.loads;
+  support.settle(std::span<BoundaryLoad>(a.settled), op);
+  a.stress.reset(a.mesh.size());
+  for (const BoundaryLoad& load : a.settled) op.add_stress(load.at, load.force, a.stress);
+}
+
+std::string with_digits(const char* format, double value) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
+
+// Which rule of the splitter the pieces break.
+std::string why_refused(const Analysis& a, double whole_area) {
+  if (!a.line()) return "No line: the failed elements determine none.";
+  if (!a.pieces) return "Cut refused: the line leaves one side empty.";
+  const StraightCut& rule = a.given.splitter;
+  for (const auto& [name, piece] : {std::pair{"A", &a.pieces->left}, {"B", &a.pieces->right}}) {
+    const double share = area_properties(*piece).area / whole_area;
+    if (share < rule.minimum_area)
+      return std::string("Cut refused: piece ") + name +
+             with_digits(" has %.1f %% of the", 100 * share) +
+             with_digits(" area, less than %g %%.", 100 * rule.minimum_area);
+    if (aspect(*piece) > rule.maximum_aspect)
+      return std::string("Cut refused: the aspect of piece ") + name +
+             with_digits(" is %.2f,", aspect(*piece)) +
+             with_digits(" more than %g.", rule.maximum_aspect);
+  }
+  return {};
+}
+
+void find_lines_and_pieces(Analysis& a) {
+  const Case& c = a.given;
+  const Ring ring = c.polygon.ring();
+  const double area = area_properties(ring).area;
+  if (a.tally.failed == 0) {
+    a.refusal = "No element has failed.";
+    return;
+  }
+  a.planes = failure_planes(c.criterion, a.stress[a.tally.first_failed], a.first_failed().mode);
+  const auto points = failed_points(c.criterion, a.mesh, a.stress, a.body);
+  a.by_x = WeightedX{}(points, a.planes);
+  a.by_y = WeightedY{}(points, a.planes);
+  const std::optional<Line> chosen = WeightedXY{}(points, a.planes);
+  a.x_chosen = chosen && a.by_x && chosen->direction == a.by_x->direction;
+
+  if (!c.trigger(a.tally)) {
+    a.refusal = "Stays whole: Rat = " + with_digits("%.2f", a.tally.ratio()) +
+                " is below RatF = " + to_text(c.trigger.critical) + ".";
+    return;
+  }
+  const Breaking model{.criterion = c.criterion, .splitter = c.splitter};
+  // A particle alone is its own mean.
+  a.crack = find_crack(model, a.tally, a.mesh, a.stress, a.body, ring, area);
+  if (a.crack) {
+    a.pieces = a.crack->pieces;
+    return;
+  }
+  const StraightCut any{.minimum_area = 0,
+                        .maximum_aspect = std::numeric_limits<double>::infinity()};
+  if (chosen) a.pieces = any(ring, *chosen, area);
+  a.refusal = why_refused(a, area);
+}
+
+}  // namespace
+
+Wrench Analysis::unbalanced() const {
+  Wrench sum;
+  for (const BoundaryLoad& load : loads) {
+    sum.force += load.force;
+    sum.moment += cross(mesh.position(load.at), load.force);
+  }
+  return sum;
+}
+
+Analysis analyse(Case given) {
+  check(given);
+  Analysis a{.given = std::move(given)};
+  const Case& c = a.given;
+  a.body.position = area_properties(c.polygon.ring()).centroid;
+  const ConvexPolygon local = c.polygon.moved(Rotation{}, -a.body.position);
+  a.mesh = c.mesher(local.ring());
+  for (const PointForce& f : c.forces)
+    a.loads.push_back(boundary_load(a.mesh, f.at - a.body.position, f.force));
+  if (c.pinned)
+    solve(a, TwoPinnedContacts{});
+  else
+    solve(a, InertiaRelief{});
+  for (std::size_t e = 0; e < a.mesh.size(); ++e)
+    a.elements.push_back(evaluate(c.criterion, a.stress[e]));
+  a.tally = tally_failures(c.criterion, a.stress);
+  find_lines_and_pieces(a);
+  return a;
+}
