@@ -19,6 +19,7 @@ struct Box {
     return low.x() <= o.high.x() && o.low.x() <= high.x() && low.y() <= o.high.y() &&
            o.low.y() <= high.y();
   }
+  [[nodiscard]] Box moved(const Vec2& by) const { return {low + by, high + by}; }
 };
 
 /// A `BroadPhase` finds the pairs whose boxes meet.
