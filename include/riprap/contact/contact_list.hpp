@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -46,7 +47,7 @@ class ContactList {
 
   ContactList(Broad broad, Narrow narrow, Law law)
       : broad_(std::move(broad)), narrow_(std::move(narrow)), law_(std::move(law)) {
-    law_.validate();
+    riprap::validate(law_);
   }
 
   [[nodiscard]] const Law& law() const { return law_; }
@@ -166,13 +167,13 @@ class ContactList {
   void evaluate(ContactType& contact, Particles& particles, double time_step) {
     Body& a = particles.body(contact.a);
     Body& b = particles.body(contact.b);
-    const auto geometry =
+    const std::optional<ContactGeometry> geometry =
         narrow_(particles.ring(contact.a), particles.ring(contact.b), contact.memory);
     if (!geometry) {
       contact.touching = false;
       return;
     }
-    if (!contact.touching) contact.history = {};
+    if (!contact.touching) contact.history = typename Law::History{};
     contact.touching = true;
     contact.geometry = *geometry;
     contact.arm_a = geometry->point - a.position;
