@@ -13,12 +13,18 @@ namespace clauses {
 
 /// `I::order`: global order of accuracy in the time step; a constant, which tests measure.
 template <class I>
-concept IntegratorOrder = requires { typename std::integral_constant<int, int{I::order}>; };
+concept IntegratorOrder = requires {
+  *&I::order;  // of the class
+  typename std::integral_constant<int, int{I::order}>;
+};
 
 /// `I::needs_finish`: whether `finish` has work to do; a constant, so that a one-kick scheme pays
 /// nothing for the second.
 template <class I>
-concept IntegratorNeedsFinish = requires { typename std::bool_constant<bool{I::needs_finish}>; };
+concept IntegratorNeedsFinish = requires {
+  *&I::needs_finish;
+  typename std::bool_constant<bool{I::needs_finish}>;
+};
 
 /// `integrator.advance(body, wrench, time_step)`: from the wrench [N, N m] at the present pose to
 /// the next pose. Const, for one integrator serves all bodies.

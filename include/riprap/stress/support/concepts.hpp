@@ -16,7 +16,10 @@ namespace clauses {
 /// `S::needs_flexibility`: whether the operator must know displacements of the boundary, which cost
 /// memory; a constant, for it holds for all particles.
 template <class S>
-concept SupportFlexibility = requires { typename std::bool_constant<bool{S::needs_flexibility}>; };
+concept SupportFlexibility = requires {
+  *&S::needs_flexibility;  // of the class
+  typename std::bool_constant<bool{S::needs_flexibility}>;
+};
 
 /// `support.settle(loads, op)` changes forces in place: supports become reactions. Const, for one
 /// support serves all particles.
