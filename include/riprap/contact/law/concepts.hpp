@@ -30,7 +30,8 @@ namespace clauses {
 /// `L::History`: what a contact carries from step to step. Every new contact starts with
 /// `History{}`, and contacts are moved when they are sorted.
 template <class L>
-concept ContactLawHistory = std::semiregular<typename L::History>;
+concept ContactLawHistory =
+    requires { typename L::History; } && std::semiregular<typename L::History>;
 
 /// `law(geometry, motion, history)` -> ContactForce; updates the history. Evaluated again with
 /// `time_step == 0` it must give the same force and lose nothing. Const: what is remembered belongs

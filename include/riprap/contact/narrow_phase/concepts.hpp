@@ -17,7 +17,8 @@ namespace clauses {
 /// answer up and must never change it. Every new pair starts with `Memory{}`, and pairs are moved
 /// when they are sorted.
 template <class N>
-concept NarrowPhaseMemory = std::semiregular<typename N::Memory>;
+concept NarrowPhaseMemory =
+    requires { typename N::Memory; } && std::semiregular<typename N::Memory>;
 
 /// `narrow(a, b, memory)` -> the contact, or nothing where the rings keep apart. Swapping the rings
 /// flips the normal and changes nothing else; moving both rigidly moves the answer. Const: what is
