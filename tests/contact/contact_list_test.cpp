@@ -413,7 +413,6 @@ struct MotionRecorder {
   }
   double stored_energy(const ContactGeometry&, const History&) const { return 0; }
   double peak_stiffness() const { return 1; }
-  void validate() const {}
 };
 
 ContactMotion recorded_motion(Motion first, Motion second, double scaling) {

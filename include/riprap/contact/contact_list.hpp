@@ -3,6 +3,7 @@
 /// All pairs near each other, their contacts and the forces in them, kept from step to step.
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -53,7 +54,7 @@ class ContactList {
 
   ContactList(Broad broad, Narrow narrow, Law law)
       : neighbours_(std::move(broad)), narrow_(std::move(narrow)), law_(std::move(law)) {
-    law_.validate();
+    riprap::validate(law_);
   }
 
   [[nodiscard]] const Law& law() const { return law_; }
@@ -177,13 +178,13 @@ class ContactList {
   void evaluate(ContactType& contact, Particles& particles, double time_step) {
     Body& a = particles.body(contact.a);
     Body& b = particles.body(contact.b);
-    const auto geometry =
+    const std::optional<ContactGeometry> geometry =
         narrow_(particles.ring(contact.a), ring_of_b(contact, particles), contact.memory);
     if (!geometry) {
       contact.touching = false;
       return;
     }
-    if (!contact.touching) contact.history = {};
+    if (!contact.touching) contact.history = typename Law::History{};
     contact.touching = true;
     contact.geometry = *geometry;
     contact.at_platen = a.motion == Motion::platen || b.motion == Motion::platen;

@@ -49,10 +49,7 @@ struct BiaxialTest {
   /// and `end_stage`.
   template <class Sim, class... Observers>
   BiaxialResult run(Sim& sim, Observers&&... observers) const {
-    static_assert(SampleBoundary<std::remove_cvref_t<decltype(sim.boundary())>>,
-                  "riprap: BiaxialTest strains its sample through the boundary; give the model one "
-                  "that is a SampleBoundary (see riprap/dynamics/boundary/concepts.hpp), such as "
-                  "StrainField, RigidPlatens or PeriodicCell");
+    check_sample_boundary<std::remove_cvref_t<decltype(sim.boundary())>>();
     validate();
     return internal::BiaxialRun<BiaxialTest, Sim, Observers...>(*this, sim, observers...).run();
   }

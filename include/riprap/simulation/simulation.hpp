@@ -363,8 +363,8 @@ class Simulation {
       if (body.is_free()) free = std::min(free, body.mass);
     }
     smallest_mass_ = free < none ? free : any < none ? any : smallest_mass_;
-    time_step_ =
-        model_.motion_model.time_step.time_step(smallest_mass_, contacts_.law().peak_stiffness());
+    const double stiffness = contacts_.law().peak_stiffness();
+    time_step_ = model_.motion_model.time_step.time_step(smallest_mass_, stiffness);
   }
 
   [[nodiscard]] const auto& integrator() const { return model_.motion_model.integrator; }
