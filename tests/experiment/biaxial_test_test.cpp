@@ -10,6 +10,7 @@
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/particle/random_box_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
+#include <support/archetypes.hpp>
 #include <vector>
 
 using namespace riprap;
@@ -182,6 +183,13 @@ TEST_CASE("the work of the boundary is stress times strain") {
   test.record_every = 1e-4;
   test.run(sim, curve, work);
   CHECK(curve.points().back().energy.boundary_work == doctest::Approx(work.sum).epsilon(0.05));
+}
+
+TEST_CASE("a biaxial test asks of its boundary what SampleBoundary says and no more") {
+  BiaxialTest test = small_test;
+  test.axial_strain = 0.005;
+  CHECK(curve_of(Model{}.boundary(riprap::test::archetype::SampleBoundary{0}), test) ==
+        curve_of(Model{}, test));
 }
 
 TEST_CASE("two runs give the same curve, to the last byte") {

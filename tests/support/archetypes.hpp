@@ -120,6 +120,33 @@ struct Boundary : Copyable {
   void drive(std::vector<Body>&, Takes<double>) {}
 };
 
+class Region {
+ public:
+  explicit Region(const BoundaryPolygon& polygon) : polygon_(polygon) {}
+  Gives<double> area() const { return Gives(polygon_.area()); }
+  Gives<Vec2> semi_axes() const { return Gives(polygon_.semi_axes()); }
+  Gives<double> solid_area() const { return Gives(polygon_.solid_area()); }
+  Gives<std::size_t> lost() const { return Gives(polygon_.lost()); }
+
+ private:
+  BoundaryPolygon polygon_;
+};
+
+class SampleBoundary : public Copyable {
+ public:
+  using Copyable::Copyable;
+  void drive(std::vector<Body>& bodies, Takes<double> time_step) {
+    field_.drive(bodies, time_step.get());
+  }
+  void set_rate(Takes<double> axis_1, Takes<double> axis_2) {
+    field_.set_rate(axis_1.get(), axis_2.get());
+  }
+  Region region(Takes<Particles> particles) const { return Region(field_.region(particles.get())); }
+
+ private:
+  StrainField field_;
+};
+
 struct Mesher : Copyable {
   using Copyable::Copyable;
   Gives<Mesh> operator()(Takes<Ring> ring) const { return Gives(UniformMesher{}(ring.get())); }

@@ -70,7 +70,8 @@ class BiaxialRun {
   }
   // The time that a pressure wave takes from the boundary to the centre.
   [[nodiscard]] double servo_response() const {
-    return region().semi_axes().maxCoeff() * std::sqrt(sim_.rock().density / sample_stiffness());
+    return Vec2(region().semi_axes()).maxCoeff() *
+           std::sqrt(sim_.rock().density / sample_stiffness());
   }
   [[nodiscard]] auto region() const { return sim_.boundary().region(sim_.particles()); }
   [[nodiscard]] Stress2 stress() const {
