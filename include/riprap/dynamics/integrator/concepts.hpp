@@ -17,6 +17,10 @@ namespace riprap {
 /// - `integrator.advance(body, wrench, time_step)`, `integrator.finish(body, wrench, time_step)`:
 ///   must use `mass_scaling * mass` and `mass_scaling * inertia`. Kinetic energy must change by
 ///   exactly the work of the wrench over the mean of the velocities before and after.
+///
+/// Optional:
+/// - `integrator.first_kick()` [-]: share of the step's impulse that `advance` gives, `finish` the
+///   rest; work is booked by it. Without it: one half where `needs_finish`, else all.
 template <class I>
 concept Integrator =
     requires(const I& integrator, Body& body, const Wrench& wrench, double time_step) {
@@ -25,6 +29,15 @@ concept Integrator =
       integrator.advance(body, wrench, time_step);
       integrator.finish(body, wrench, time_step);
     };
+
+/// Share of the step's impulse that `advance` gives [-]; `finish` gives the rest.
+template <Integrator I>
+[[nodiscard]] double first_kick(const I& integrator) {
+  if constexpr (requires { integrator.first_kick(); })
+    return integrator.first_kick();
+  else
+    return I::needs_finish ? 0.5 : 1;
+}
 
 /// Moves a body at its present velocity: the drift of every scheme, and all that a driven body
 /// does.
