@@ -40,6 +40,14 @@ static_assert(!Integrator<WithoutFinish> && WithoutFinish::order == 1 &&
               WithoutFinish::needs_finish);
 static_assert(!Integrator<Remembers> && Remembers::order == 1 && !Remembers::needs_finish);
 
+struct OneKick : Minimal {
+  static constexpr bool needs_finish = false;
+};
+
+struct ThirdFirst : Minimal {
+  double first_kick() const { return 1.0 / 3; }
+};
+
 Body moving_body() {
   Body body;
   body.position = {1, 2};
@@ -102,12 +110,6 @@ TEST_CASE("a kick changes kinetic energy by the work over the mean of both veloc
 }
 
 TEST_CASE("the first kick is all or half of the impulse, unless the integrator says otherwise") {
-  struct OneKick : Minimal {
-    static constexpr bool needs_finish = false;
-  };
-  struct ThirdFirst : Minimal {
-    double first_kick() const { return 1.0 / 3; }
-  };
   CHECK(first_kick(OneKick{}) == 1);
   CHECK(first_kick(Minimal{}) == 0.5);
   CHECK(first_kick(ThirdFirst{}) == 1.0 / 3);
