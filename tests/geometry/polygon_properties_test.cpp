@@ -124,6 +124,18 @@ TEST_CASE("diameter, least width and aspect have their closed forms in every pos
     }
 }
 
+TEST_CASE("the extent of a rectangle along an axis is that of its diagonals' shadows") {
+  for (const Pose& pose : poses(1)) {
+    const ConvexPolygon polygon = pose.of(rectangle(3, 2));
+    for (const double angle : {0.0, 0.4, 1.9, -2.6}) {
+      const Vec2 axis = Rotation::from_angle(angle) * Vec2{1, 0};
+      const double expected = 3 * std::abs(axis.x()) + 2 * std::abs(axis.y());
+      CHECK(std::abs(extent_along(polygon.ring(), pose.rotation * axis) - expected) <=
+            2e-15 * pose.digits);
+    }
+  }
+}
+
 TEST_CASE("the least width is the smallest shadow over all directions") {
   const ConvexPolygon polygon{{0, 0}, {2, -0.4}, {3, 1}, {1, 1.7}};
   double smallest = 1e9;

@@ -13,6 +13,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <riprap/contact/law/frictionless.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/experiment/biaxial_result.hpp>
 #include <riprap/experiment/pressure_servo.hpp>
@@ -145,8 +146,11 @@ class BiaxialRun {
   bool compact() {
     const double rate = rate_at(test_.compaction_inertial_number, test_.jam_pressure);
     auto& law = sim_.contact_law();
-    const Restore friction([&law, original = law] { law = original; });
-    if constexpr (requires { law.friction = 0.0; }) law.friction = 0.0;
+    constexpr bool exchangeable = std::is_copy_assignable_v<std::remove_reference_t<decltype(law)>>;
+    const Restore friction([&law, original = law] {
+      if constexpr (exchangeable) law = original;
+    });
+    if constexpr (exchangeable) law = frictionless(law);
     for (BodyIndex i = 0; i < sim_.particles().size(); ++i)
       if (const Body& body = sim_.particles().body(i); body.is_free())
         sim_.set_velocity(i, -rate * body.position);

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Area, centroid, polar inertia, diameter and least width of a ring of vertices.
+/// Area, centroid, polar inertia, diameter, extent and least width of a ring of vertices.
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +45,18 @@ struct AreaProperties {
     for (std::size_t j = i + 1; j < ring.size(); ++j)
       squared = std::max(squared, (ring[i] - ring[j]).squaredNorm());
   return std::sqrt(squared);
+}
+
+/// Length of the ring's shadow on an axis, a unit vector [m].
+[[nodiscard]] inline double extent_along(Ring ring, const Vec2& axis) {
+  double low = axis.dot(ring[0]);
+  double high = low;
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    const double s = axis.dot(ring[i]);
+    low = std::min(low, s);
+    high = std::max(high, s);
+  }
+  return high - low;
 }
 
 /// Smallest distance between two parallel lines that hold a convex ring between them [m].

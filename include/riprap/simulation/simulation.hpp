@@ -222,7 +222,7 @@ class Simulation {
 
   // Forces of the present poses move the bodies to the next ones.
   void advance_bodies() {
-    const double kick_time = integrator().needs_finish ? 0.5 * time_step_ : time_step_;
+    const double kick_time = first_kick(integrator()) * time_step_;
     work_.boundary += kick_time * contacts_.image_power();
     for (BodyIndex i = 0; i < particles_.size(); ++i) {
       Body& body = particles_.body(i);
@@ -246,18 +246,18 @@ class Simulation {
   // The second kick, for integrators that have one.
   void finish_bodies() {
     if constexpr (decltype(model_.motion_model.integrator)::needs_finish) {
-      work_.boundary += 0.5 * time_step_ * contacts_.image_power();
+      const double kick_time = (1 - first_kick(integrator())) * time_step_;
+      work_.boundary += kick_time * contacts_.image_power();
       for (Body& body : particles_.bodies()) {
         if (body.is_free()) {
           const Body before = body;
           Wrench damped;
           const Wrench total = wrench(body, damped);
           integrator().finish(body, total, time_step_);
-          book(before, body, damped, 0.5 * time_step_);
+          book(before, body, damped, kick_time);
         } else {
-          work_.boundary -=
-              0.5 * time_step_ *
-              (body.contact.force.dot(body.velocity) + body.contact.moment * body.angular_velocity);
+          work_.boundary -= kick_time * (body.contact.force.dot(body.velocity) +
+                                         body.contact.moment * body.angular_velocity);
         }
       }
     }

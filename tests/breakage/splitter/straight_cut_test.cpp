@@ -2,12 +2,16 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
+#include <riprap/geometry/random_polygon.hpp>
 #include <support/near.hpp>
 
 using namespace riprap;
 using riprap::test::near;
+using riprap::test::near_relative;
 
 namespace {
 
@@ -75,6 +79,26 @@ TEST_CASE("a line that misses the particle cuts nothing") {
   CHECK_FALSE(permissive(unit_square, upright(1.5), 1));
   CHECK_FALSE(permissive(unit_square, upright(0), 1));                             // along an edge
   CHECK_FALSE(permissive(unit_square, Line{{0, 1}, Vec2{1, 1}.normalized()}, 1));  // at a corner
+}
+
+TEST_CASE("without limits every line that runs through a particle cuts it into two polygons") {
+  constexpr StraightCut unlimited{.minimum_area = 0,
+                                  .maximum_aspect = std::numeric_limits<double>::infinity()};
+  unlimited.validate();
+  Random random(601);
+  double least = 1;
+  for (int sample = 0; sample < 500; ++sample) {
+    const ConvexPolygon polygon = random_polygon({}, 1, random);
+    const Rotation turn = Rotation::from_angle(random.uniform(0, 7));
+    const Vec2 through = random.uniform(0, 0.99) * polygon[0];
+    const auto parts = unlimited(polygon.ring(), Line{through, turn * Vec2{1, 0}}, 1);
+    REQUIRE(parts);
+    const double left = area_properties(ConvexPolygon(parts->left).ring()).area;
+    const double right = area_properties(ConvexPolygon(parts->right).ring()).area;
+    CHECK(left + right == near_relative(area_properties(polygon.ring()).area, 1e-14));
+    least = std::min({least, left, right});
+  }
+  CHECK(least < 1e-3);  // slivers too
 }
 
 TEST_CASE("the rule does not depend on place, direction or unit of length") {

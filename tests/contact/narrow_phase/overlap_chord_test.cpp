@@ -8,89 +8,31 @@
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/core/random.hpp>
 #include <riprap/geometry/random_polygon.hpp>
+#include <support/overlapping_pairs.hpp>
+#include <support/polygons.hpp>
 #include <support/rectangle.hpp>
 
 using namespace riprap;
-using riprap::test::rectangle;
+using test::begun_at;
+using test::check_same;
+using test::crossings;
+using test::mirrored;
+using test::overlap_area;
+using test::rectangle;
+using test::shifted;
+using test::tip_down;
 
 namespace {
 
 std::optional<ContactGeometry> contact_of(const ConvexPolygon& a, const ConvexPolygon& b) {
-  OverlapChord::Memory memory;
-  return OverlapChord{}(a.ring(), b.ring(), memory);
+  return test::contact_of<OverlapChord>(a, b);
 }
 
-double overlap_area(const ConvexPolygon& a, const ConvexPolygon& b) {
-  const auto contact = contact_of(a, b);
-  return contact ? contact->area : 0;
-}
-
-ConvexPolygon shifted(const ConvexPolygon& polygon, const Vec2& shift) {
-  return polygon.moved({}, shift);
-}
-
-/// A triangle that stands on its tip at `tip`: its sides rise at `left` and `right` [rad] from the
-/// horizontal.
-ConvexPolygon tip_down(const Vec2& tip, double left, double right) {
-  return {tip, tip + Vec2{std::cos(right), std::sin(right)},
-          tip + Vec2{-std::cos(left), std::sin(left)}};
-}
-
-ConvexPolygon mirrored(const ConvexPolygon& polygon) {
-  std::vector<Vec2> vertices;
-  for (std::size_t i = polygon.size(); i-- > 0;)
-    vertices.push_back({-polygon[i].x(), polygon[i].y()});
-  return ConvexPolygon(vertices);
-}
-
-/// Vertices counted from another one.
-ConvexPolygon renumbered(const ConvexPolygon& polygon, std::size_t first) {
-  std::vector<Vec2> vertices;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    vertices.push_back(polygon[(i + first) % polygon.size()]);
-  return ConvexPolygon(vertices);
-}
-
-/// Pairs of sharp polygons of about unit size that overlap somewhere between barely and badly.
+/// Visits the contacts of random pairs too.
 template <class Visit>
 void for_random_pairs(int count, Visit&& visit) {
-  Random random(42);
-  for (int found = 0; found < count;) {
-    const ConvexPolygon a = random_polygon({}, random.uniform(0.7, 1.3), random);
-    const ConvexPolygon b = random_polygon({}, random.uniform(0.7, 1.3), random);
-    const Rotation direction = Rotation::from_angle(random.uniform(0, 7));
-    const ConvexPolygon moved = shifted(b, random.uniform(0.3, 1.3) * (direction * Vec2{1, 0}));
-    const auto contact = contact_of(a, moved);
-    if (!contact) continue;
-    ++found;
-    visit(a, moved, *contact);
-  }
-}
-
-/// How often two boundaries cross, edge by edge.
-int crossings(const ConvexPolygon& a, const ConvexPolygon& b) {
-  const auto parts = [](const Vec2& p, const Vec2& q, const Vec2& u, const Vec2& v) {
-    return (cross(q - p, u - p) > 0) != (cross(q - p, v - p) > 0);
-  };
-  int count = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const Vec2& p = a[i];
-      const Vec2& q = a[(i + 1) % a.size()];
-      const Vec2& u = b[j];
-      const Vec2& v = b[(j + 1) % b.size()];
-      if (parts(p, q, u, v) && parts(u, v, p, q)) ++count;
-    }
-  return count;
-}
-
-void check_same(const ContactGeometry& p, const ContactGeometry& q, double tolerance) {
-  CHECK(std::abs(p.depth - q.depth) <= tolerance);
-  CHECK(std::abs(p.area - q.area) <= tolerance);
-  CHECK(std::abs(p.chord - q.chord) <= tolerance);
-  CHECK((p.point - q.point).norm() <= tolerance);
-  // A normal is as uncertain as the ends of its chord over their distance.
-  CHECK((p.normal - q.normal).norm() * q.chord <= 2 * tolerance);
+  test::for_random_pairs(
+      count, [&](const auto& a, const auto& b) { visit(a, b, contact_of(a, b).value()); });
 }
 
 }  // namespace
@@ -312,7 +254,7 @@ TEST_CASE("a mirrored pair has the mirrored contact, and vertex numbers do not m
     back.normal.x() = -back.normal.x();
     back.point.x() = -back.point.x();
     check_same(back, contact, 1e-13);
-    const auto again = contact_of(renumbered(a, 1), renumbered(b, 2));
+    const auto again = contact_of(begun_at(a, 1), begun_at(b, 2));
     REQUIRE(again);
     check_same(*again, contact, 1e-13);
   });

@@ -44,6 +44,14 @@ static_assert(!Integrator<WithoutFinish>);
 static_assert(!Integrator<Remembers>);
 static_assert(!Integrator<ChangesTheWrench>);
 
+struct OneKick : Minimal {
+  static constexpr bool needs_finish = false;
+};
+
+struct ThirdFirst : Minimal {
+  double first_kick() const { return 1.0 / 3; }
+};
+
 Body moving_body() {
   Body body;
   body.position = {1, 2};
@@ -103,4 +111,10 @@ TEST_CASE("a kick changes kinetic energy by the work over the mean of both veloc
                 wrench.moment * 0.5 * (before.angular_velocity + body.angular_velocity));
     CHECK(body.kinetic_energy() - before.kinetic_energy() == doctest::Approx(work).epsilon(1e-12));
   }
+}
+
+TEST_CASE("the first kick is all or half of the impulse, unless the integrator says otherwise") {
+  CHECK(first_kick(OneKick{}) == 1);
+  CHECK(first_kick(Minimal{}) == 0.5);
+  CHECK(first_kick(ThirdFirst{}) == 1.0 / 3);
 }

@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <doctest/doctest.h>
-#include <map>
 #include <set>
 
 #include <riprap/geometry/cut.hpp>
 #include <riprap/geometry/random_polygon.hpp>
+#include <support/mesh_checks.hpp>
 #include <support/message_of.hpp>
 #include <support/polygons.hpp>
 
 using namespace riprap;
+using test::check_conforming;
+using test::check_cover;
+using test::check_even_boundary;
 using test::pi;
 
 namespace {
@@ -58,57 +61,6 @@ std::vector<Sample> samples(std::size_t count) {
 // Spacing of equilateral triangles, as many as the mesh has.
 double spacing(const Mesh& mesh, double area) {
   return std::sqrt(4 * area / (std::sqrt(3.0) * static_cast<double>(mesh.size())));
-}
-
-void check_cover(const ConvexPolygon& polygon, const Mesh& mesh) {
-  double sum = 0;
-  double least = 1e300;
-  for (std::size_t e = 0; e < mesh.size(); ++e) {
-    sum += mesh.area(e);
-    least = std::min(least, mesh.area(e));
-  }
-  CHECK(least > 0);
-  // Round-off of as many additions as there are triangles.
-  const double area = area_properties(polygon.ring()).area;
-  CHECK(std::abs(sum - area) <= 1e-16 * static_cast<double>(mesh.size() + 20) * area);
-}
-
-// Every edge runs once along the boundary, or once each way inside.
-void check_conforming(const Mesh& mesh) {
-  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
-  std::set<std::uint32_t> used;
-  for (const auto& t : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      CHECK(edges.insert({t[k], t[(k + 1) % 3]}).second);
-      used.insert(t[k]);
-    }
-  std::size_t one_sided = 0;
-  for (const auto& [from, to] : edges) {
-    if (edges.contains({to, from})) continue;
-    ++one_sided;
-    CHECK(from < mesh.boundary_nodes);
-    CHECK(to == (from + 1) % mesh.boundary_nodes);
-  }
-  CHECK(one_sided == mesh.boundary_nodes);
-  CHECK(used.size() == mesh.nodes.size());
-  // Euler: nodes - edges + triangles = 1 for a disc; inner edges were counted twice.
-  const std::size_t edge_count = (edges.size() + one_sided) / 2;
-  CHECK(mesh.nodes.size() + mesh.size() == edge_count + 1);
-}
-
-void check_even_boundary(const ConvexPolygon& polygon, const Mesh& mesh) {
-  REQUIRE(mesh.corners.size() == polygon.size());
-  const double round_off = 1e-15 * diameter(polygon.ring());
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Vec2 edge = polygon[(k + 1) % polygon.size()] - polygon[k];
-    const std::uint32_t end = k + 1 < polygon.size() ? mesh.corners[k + 1] : mesh.boundary_nodes;
-    REQUIRE(end > mesh.corners[k]);
-    const double parts = end - mesh.corners[k];
-    for (std::uint32_t i = mesh.corners[k]; i < end; ++i) {
-      const Vec2 place = polygon[k] + ((i - mesh.corners[k]) / parts) * edge;
-      CHECK((mesh.nodes[i] - place).norm() <= round_off);
-    }
-  }
 }
 
 struct Quality {

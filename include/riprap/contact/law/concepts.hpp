@@ -60,7 +60,8 @@ concept ContactLawStiffness = requires(const L& law) {
 
 /// A `ContactLaw` computes contact forces.
 ///
-/// Optional: a member `friction` [-], which experiments set to 0 while they compact.
+/// Optional: a member `friction` [-], or `law.frictionless()` that returns another law of its type:
+/// experiments take the friction away while they compact, if the law can be assigned.
 template <class L>
 concept ContactLaw = Policy<L> && clauses::ContactLawHistory<L> && clauses::ContactLawCall<L> &&
                      clauses::ContactLawEnergy<L> && clauses::ContactLawStiffness<L>;

@@ -48,6 +48,9 @@ concept IntegratorFinish =
 /// where `needs_finish` is false). Both must use `mass_scaling * mass` and `mass_scaling *
 /// inertia`. Kinetic energy must change by exactly the work of the wrench over the mean of the
 /// velocities before and after.
+///
+/// Optional: `integrator.first_kick()` [-], the share of the step's impulse that `advance` gives,
+/// `finish` the rest; work is booked by it. Without it: one half where `needs_finish`, else all.
 template <class I>
 concept Integrator =
     Policy<I> && clauses::IntegratorOrder<I> && clauses::IntegratorNeedsFinish<I> &&
@@ -67,6 +70,15 @@ consteval bool check_integrator() {
       clauses::IntegratorFinish<I>,
       "riprap: an Integrator must have void finish(Body&, const Wrench&, double time_step) const");
   return Integrator<I>;
+}
+
+/// Share of the step's impulse that `advance` gives [-]; `finish` gives the rest.
+template <Integrator I>
+[[nodiscard]] double first_kick(const I& integrator) {
+  if constexpr (requires { integrator.first_kick(); })
+    return integrator.first_kick();
+  else
+    return I::needs_finish ? 0.5 : 1;
 }
 
 /// Moves a body at its present velocity: the drift of every scheme, and all that a driven body

@@ -1,0 +1,21 @@
+#pragma once
+/// @file
+/// Nobody is near anybody. The file to copy for a broad phase of your own.
+
+#include <span>
+
+#include <riprap/contact/broad_phase/concepts.hpp>
+
+namespace riprap {
+
+/// Visits nothing: bodies fly freely, and contacts cost nothing.
+struct NoPairs {
+  static constexpr double relative_skin = 1;  ///< the answer never changes, so ask seldom [-]
+
+  template <class Visit>
+  void visit_pairs(std::span<const Box>, Visit&&) const {}
+};
+
+static_assert(BroadPhase<NoPairs>);
+
+}  // namespace riprap

@@ -1,0 +1,58 @@
+#pragma once
+/// @file
+/// A contact law chosen at run time: one more model of the role, for programs with options.
+
+#include <variant>
+
+#include <riprap/contact/law/concepts.hpp>
+#include <riprap/contact/law/frictionless.hpp>
+
+namespace riprap {
+
+/// Holds one of several contact laws, all of different types, and passes every question on to it. A
+/// contact keeps the history of the chosen law and forgets it when another is chosen.
+template <ContactLaw... Laws>
+struct ContactLawChoice {
+  template <class Law>
+  struct HistoryOf {
+    typename Law::History history{};
+  };
+  using History = std::variant<HistoryOf<Laws>...>;
+
+  std::variant<Laws...> chosen;
+
+  [[nodiscard]] ContactForce operator()(const ContactGeometry& geometry,
+                                        const ContactMotion& motion, History& history) const {
+    return std::visit(
+        [&]<class Law>(const Law& law) {
+          if (!std::holds_alternative<HistoryOf<Law>>(history)) history = HistoryOf<Law>{};
+          return law(geometry, motion, std::get<HistoryOf<Law>>(history).history);
+        },
+        chosen);
+  }
+  [[nodiscard]] double stored_energy(const ContactGeometry& geometry,
+                                     const History& history) const {
+    return std::visit(
+        [&]<class Law>(const Law& law) {
+          const auto* own = std::get_if<HistoryOf<Law>>(&history);
+          return double(law.stored_energy(geometry, own ? own->history : typename Law::History{}));
+        },
+        chosen);
+  }
+  [[nodiscard]] double peak_stiffness() const {
+    return std::visit([](const auto& law) { return double(law.peak_stiffness()); }, chosen);
+  }
+  [[nodiscard]] ContactLawChoice frictionless() const {
+    return std::visit([](const auto& law) { return ContactLawChoice{riprap::frictionless(law)}; },
+                      chosen);
+  }
+  void validate() const {
+    std::visit(
+        [](const auto& law) {
+          if constexpr (requires { law.validate(); }) law.validate();
+        },
+        chosen);
+  }
+};
+
+}  // namespace riprap

@@ -1,0 +1,51 @@
+#pragma once
+/// @file
+/// Contact by the least translation that parts two rings.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <riprap/contact/narrow_phase/concepts.hpp>
+#include <riprap/contact/narrow_phase/contact_line.hpp>
+#include <riprap/contact/narrow_phase/least_translation_contact.hpp>
+
+namespace riprap {
+
+/// The normal is that of the edge along which the rings are least entangled, the depth the way that
+/// parts them (separating axes: Gottschalk, Lin and Manocha 1996), the point the centroid of the
+/// overlap. The normal jumps where two edges tie; OverlapChord's turns from one to the other.
+///
+/// Where the boundaries cross exactly twice the chord is the shadow of OverlapChord's across the
+/// normal: the rate at which the area changes along it, so that the force of OverlapAreaSpring is
+/// the slope of its energy along the normal. The slope across is left out: that law is conservative
+/// with OverlapChord only. Elsewhere the chord is the overlap's extent.
+struct SeparatingAxis {
+  using Memory = SeparatingEdge;
+
+  [[nodiscard]] std::optional<ContactGeometry> operator()(Ring a, Ring b, Memory& memory) const {
+    if (separated(a, b, memory)) return std::nullopt;
+    // Of equal depths the first is taken: rings in an order of their own may be swapped.
+    const bool swapped = comes_first(b, a);
+    if (swapped) std::swap(a, b);
+    const CommonPart common = common_part(a, b);
+    if (common.empty()) return std::nullopt;
+    ContactGeometry contact = least_translation_contact(a, b, common);
+    if (const ContactGeometry line = contact_line(a, b, common); line.chord > 0)
+      contact.chord = line.chord * std::abs(line.normal.dot(contact.normal));
+    if (swapped) contact.normal = -contact.normal;
+    return contact;
+  }
+
+ private:
+  [[nodiscard]] static bool comes_first(Ring a, Ring b) {
+    return std::ranges::lexicographical_compare(a, b, [](const Vec2& p, const Vec2& q) {
+      return std::pair(p.x(), p.y()) < std::pair(q.x(), q.y());
+    });
+  }
+};
+
+static_assert(NarrowPhase<SeparatingAxis>);
+
+}  // namespace riprap

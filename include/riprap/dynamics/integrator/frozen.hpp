@@ -1,0 +1,25 @@
+#pragma once
+/// @file
+/// Free bodies stay where they are. The file to copy for an integrator of your own.
+
+#include <riprap/dynamics/integrator/concepts.hpp>
+
+namespace riprap {
+
+/// Stops every free body where it is and keeps it there: driven bodies press on a rigid
+/// arrangement. Of order 0, for no time step is short enough; the kinetic energy of a body that is
+/// stopped is lost.
+struct Frozen {
+  static constexpr int order = 0;
+  static constexpr bool needs_finish = false;
+
+  void advance(Body& body, const Wrench&, double) const {
+    body.velocity = Vec2{0, 0};
+    body.angular_velocity = 0;
+  }
+  void finish(Body&, const Wrench&, double) const {}
+};
+
+static_assert(Integrator<Frozen>);
+
+}  // namespace riprap

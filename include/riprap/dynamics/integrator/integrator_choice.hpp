@@ -1,0 +1,36 @@
+#pragma once
+/// @file
+/// An integrator chosen at run time: one more model of the role, for programs with options.
+
+#include <algorithm>
+#include <variant>
+
+#include <riprap/dynamics/integrator/concepts.hpp>
+
+namespace riprap {
+
+/// Holds one of several integrators and passes every body on to it. Its order is the lowest of
+/// theirs; it has a second kick if one of them has, which the others leave out.
+template <Integrator... Integrators>
+struct IntegratorChoice {
+  static constexpr int order = std::min({int{Integrators::order}...});
+  static constexpr bool needs_finish = (Integrators::needs_finish || ...);
+
+  std::variant<Integrators...> chosen;
+
+  void advance(Body& body, const Wrench& wrench, double time_step) const {
+    std::visit([&](const auto& i) { i.advance(body, wrench, time_step); }, chosen);
+  }
+  void finish(Body& body, const Wrench& wrench, double time_step) const {
+    std::visit(
+        [&]<class I>(const I& i) {
+          if constexpr (I::needs_finish) i.finish(body, wrench, time_step);
+        },
+        chosen);
+  }
+  [[nodiscard]] double first_kick() const {
+    return std::visit([](const auto& i) { return riprap::first_kick(i); }, chosen);
+  }
+};
+
+}  // namespace riprap

@@ -1,0 +1,25 @@
+#pragma once
+/// @file
+/// A support chosen at run time: one more model of the role, for programs with options.
+
+#include <span>
+#include <variant>
+
+#include <riprap/stress/support/concepts.hpp>
+
+namespace riprap {
+
+/// Holds one of several supports and passes the loads on to it. Operators keep displacements if one
+/// of the supports needs them, chosen or not.
+template <Support... Supports>
+struct SupportChoice {
+  static constexpr bool needs_flexibility = (Supports::needs_flexibility || ...);
+
+  std::variant<Supports...> chosen;
+
+  void settle(std::span<BoundaryLoad> loads, const InfluenceOperator& op) const {
+    std::visit([&](const auto& support) { support.settle(loads, op); }, chosen);
+  }
+};
+
+}  // namespace riprap

@@ -1,0 +1,79 @@
+#pragma once
+/// @file
+/// Pairs of polygons that overlap, and what narrow phases are asked about them.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <optional>
+
+#include <riprap/contact/contact_geometry.hpp>
+#include <riprap/core/random.hpp>
+#include <riprap/geometry/overlap.hpp>
+#include <riprap/geometry/polygon_properties.hpp>
+#include <riprap/geometry/random_polygon.hpp>
+
+namespace riprap::test {
+
+/// The contact by a narrow phase that remembers nothing.
+template <class Narrow>
+[[nodiscard]] std::optional<ContactGeometry> contact_of(const ConvexPolygon& a,
+                                                        const ConvexPolygon& b) {
+  typename Narrow::Memory memory;
+  return Narrow{}(a.ring(), b.ring(), memory);
+}
+
+/// 0 where the two keep apart.
+[[nodiscard]] inline double overlap_area(const ConvexPolygon& a, const ConvexPolygon& b) {
+  return area_properties(overlap(a.ring(), b.ring(), a[0], 0).ring()).area;
+}
+
+/// A triangle that stands on its tip at `tip`: its sides rise at `left` and `right` [rad] from the
+/// horizontal.
+[[nodiscard]] inline ConvexPolygon tip_down(const Vec2& tip, double left, double right) {
+  return {tip, tip + Vec2{std::cos(right), std::sin(right)},
+          tip + Vec2{-std::cos(left), std::sin(left)}};
+}
+
+/// Pairs of sharp polygons of about unit size that overlap somewhere between barely and badly.
+template <class Visit>
+void for_random_pairs(int count, Visit&& visit) {
+  Random random(42);
+  for (int found = 0; found < count;) {
+    const ConvexPolygon a = random_polygon({}, random.uniform(0.7, 1.3), random);
+    const ConvexPolygon b = random_polygon({}, random.uniform(0.7, 1.3), random);
+    const Rotation direction = Rotation::from_angle(random.uniform(0, 7));
+    const ConvexPolygon moved = b.moved({}, random.uniform(0.3, 1.3) * (direction * Vec2{1, 0}));
+    if (overlap_area(a, moved) <= 0) continue;
+    ++found;
+    visit(a, moved);
+  }
+}
+
+/// How often two boundaries cross, edge by edge.
+[[nodiscard]] inline int crossings(const ConvexPolygon& a, const ConvexPolygon& b) {
+  const auto parts = [](const Vec2& p, const Vec2& q, const Vec2& u, const Vec2& v) {
+    return (cross(q - p, u - p) > 0) != (cross(q - p, v - p) > 0);
+  };
+  int count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const Vec2& p = a[i];
+      const Vec2& q = a[(i + 1) % a.size()];
+      const Vec2& u = b[j];
+      const Vec2& v = b[(j + 1) % b.size()];
+      if (parts(p, q, u, v) && parts(u, v, p, q)) ++count;
+    }
+  return count;
+}
+
+inline void check_same(const ContactGeometry& p, const ContactGeometry& q, double tolerance) {
+  CHECK(std::abs(p.depth - q.depth) <= tolerance);
+  CHECK(std::abs(p.area - q.area) <= tolerance);
+  CHECK(std::abs(p.chord - q.chord) <= tolerance);
+  CHECK((p.point - q.point).norm() <= tolerance);
+  // A normal is as uncertain as the ends of its chord over their distance.
+  CHECK((p.normal - q.normal).norm() * q.chord <= 2 * tolerance);
+}
+
+}  // namespace riprap::test
