@@ -22,10 +22,12 @@ struct Birth {
   void inherit(const I& rule) {
     for (Body& piece : pieces) rule(parent, piece);
   }
-  /// Sum over the pieces minus what the parent has, of any quantity.
+  /// Sum over the pieces minus what the parent has, of a number or a vector.
   template <class Quantity>
   [[nodiscard]] auto gain(Quantity&& of) const {
-    return of(pieces[0]) + of(pieces[1]) - of(parent);
+    // Not the expression itself, which would hold references to what is gone.
+    const decltype(of(parent)) sum = of(pieces[0]) + of(pieces[1]) - of(parent);
+    return sum;
   }
 };
 
