@@ -92,8 +92,7 @@ TEST_CASE("a criterion with an impossible curve is found out") {
 }
 
 TEST_CASE("a criterion with an impossible friction angle is found out") {
-  check_violated(criterion_violations(GivenAngle{{}, -0.1}),
-                 "the friction angle is not negative");
+  check_violated(criterion_violations(GivenAngle{{}, -0.1}), "the friction angle is not negative");
   check_violated(criterion_violations(GivenAngle{{}, 0.5 * std::numbers::pi}),
                  "the friction angle is below a right one");
 }

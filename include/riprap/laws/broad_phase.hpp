@@ -73,7 +73,7 @@ template <BroadPhase Broad>
   AxiomCheck check;
   check.at_least("the skin is not negative", broad.relative_skin, 0);
   Random random(1);
-  for (const std::size_t count : {0, 1, 2, 300})
+  for (const unsigned count : {0u, 1u, 2u, 300u})
     for (const double extent : {0.05, 0.3, 5.0})
       internal::check_pairs(broad, internal::random_boxes(random, count, extent, 0.01, 0.02),
                             check);

@@ -16,7 +16,7 @@ namespace riprap {
 template <BreakageTrigger T>
 [[nodiscard]] Violations trigger_violations(const T& trigger, double mean_area = 2e-4) {
   AxiomCheck check;
-  for (const std::size_t elements : {50, 100, 200}) {
+  for (const unsigned elements : {50u, 100u, 200u}) {
     bool broken = false;
     for (std::size_t failed = 0; failed <= elements; ++failed) {
       const FailureTally tally{.elements = elements,

@@ -33,7 +33,8 @@ struct ContactForce {
 /// - `law.peak_stiffness()` [N/m]: largest slope of force against depth; sets the time step.
 /// - `law.validate()`: throws InvalidInput for parameters that break a rule.
 ///
-/// A law that has a member `friction` lets experiments switch friction off while they compact.
+/// A law that has a member `friction` lets experiments switch friction off while they compact. One
+/// whose normal force may be negative says so with a member `may_pull` that is true.
 template <class L>
 concept ContactLaw = std::default_initializable<typename L::History> &&
                      requires(const L& law, const ContactGeometry& geometry,

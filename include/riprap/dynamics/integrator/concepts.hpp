@@ -16,7 +16,8 @@ namespace riprap {
 /// - `I::needs_finish`: whether `finish` has work to do.
 /// - `integrator.advance(body, wrench, time_step)`, `integrator.finish(body, wrench, time_step)`:
 ///   must use `mass_scaling * mass` and `mass_scaling * inertia`. Kinetic energy must change by
-///   exactly the work of the wrench over the mean of the velocities before and after.
+///   exactly the work of the wrench over the mean of the velocities before and after, in each call:
+///   during half the time step where `needs_finish` is true, else during all of it.
 template <class I>
 concept Integrator =
     requires(const I& integrator, Body& body, const Wrench& wrench, double time_step) {
