@@ -35,7 +35,7 @@ struct FailedCloud {
   }
 };
 
-/// Clouds of about 1 m, longer than wide, some within a hair of a straight line.
+/// Clouds of about 1 m with random weights and failure planes.
 /// @param slimness width over length: 0 for points on a straight line
 [[nodiscard]] inline std::vector<FailedCloud> failed_clouds(double slimness) {
   Random random(1);
