@@ -1,16 +1,16 @@
-# A page of docs/policies shows the program of its example, to the letter, between fences; every
-# page has a program and every program a page.
+# A page of the given ones, in a folder, shows the program of its example, to the letter, between
+# fences; every page has a program and every program a page.
 cmake_policy(VERSION 3.21)
 
-file(GLOB pages ${policies}/*.md)
-file(GLOB programs ${policies}/examples/*.cpp)
+file(GLOB pages ${folder}/${pages})
+file(GLOB programs ${folder}/examples/*.cpp)
 set(page_roles "")
 set(violations "")
 
 foreach(page IN LISTS pages)
   get_filename_component(role ${page} NAME_WE)
   list(APPEND page_roles ${role})
-  set(program ${policies}/examples/${role}.cpp)
+  set(program ${folder}/examples/${role}.cpp)
   if(NOT EXISTS ${program})
     string(APPEND violations "\n  ${role}.md: no examples/${role}.cpp")
     continue()
@@ -31,5 +31,5 @@ foreach(program IN LISTS programs)
 endforeach()
 
 if(violations OR NOT pages)
-  message(FATAL_ERROR "Pages and programs of docs/policies differ:${violations}\n")
+  message(FATAL_ERROR "Pages and programs of ${folder} differ:${violations}\n")
 endif()

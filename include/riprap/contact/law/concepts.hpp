@@ -61,7 +61,8 @@ concept ContactLawStiffness = requires(const L& law) {
 /// A `ContactLaw` computes contact forces.
 ///
 /// Optional: a member `friction` [-], or `law.frictionless()` that returns another law of its type:
-/// experiments take the friction away while they compact, if the law can be assigned.
+/// experiments take the friction away while they compact, if the law can be assigned. A member
+/// `may_pull` that is true: the normal force may be negative.
 template <class L>
 concept ContactLaw = Policy<L> && clauses::ContactLawHistory<L> && clauses::ContactLawCall<L> &&
                      clauses::ContactLawEnergy<L> && clauses::ContactLawStiffness<L>;
