@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// What a simulation needs: all policies but the optional ones, Model, Simulation, the biaxial test and
-/// its records. Needs the headers of Eigen and Boost only.
+/// What a simulation needs: all policies but the optional ones, Model, Simulation, the biaxial test
+/// and its records. Needs the headers of Eigen and Boost only.
 
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
 #include <riprap/breakage/criterion/rankine.hpp>
@@ -24,6 +24,7 @@
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/experiment/curve.hpp>
 #include <riprap/geometry/adapt/boost.hpp>
+#include <riprap/measurement/breakage_indices.hpp>
 #include <riprap/output/csv.hpp>
 #include <riprap/output/progress.hpp>
 #include <riprap/particle/random_assembly.hpp>
