@@ -82,6 +82,10 @@ TEST_CASE("Lade's breakage of a sample whose D10 went from 2 mm to half a millim
   const Grading before = Grading::of_fractions({{2e-3, 15}, {6e-3, 85}});
   const Grading after = Grading::of_fractions({{0.1e-3, 5}, {0.5e-3, 15}, {6e-3, 80}});
   CHECK(lade_breakage(before, after) == near(0.75, round_off));
+  // A tenth lies a tenth of the way up either curve, over the logarithm of size.
+  const Grading two_decades = Grading::of_sieves({{1e-3, 0}, {100e-3, 1}});
+  const Grading three_decades = Grading::of_sieves({{0.1e-3, 0}, {100e-3, 1}});
+  CHECK(lade_breakage(two_decades, three_decades) == near(1 - std::pow(10, -0.9), round_off));
 }
 
 TEST_CASE("Einav's relative breakage of a sample whose half went from 10 mm to 1 mm") {

@@ -19,7 +19,8 @@ constexpr double round_off = 1e-14;
 
 // 20 % of 1 mm, 30 % of 2 mm, 50 % of 5 mm; out of order, one size in two portions.
 Grading three_sizes() {
-  return Grading::of_fractions({{2e-3, 3}, {5e-3, 4}, {1e-3, 2}, {5e-3, 1}, {7e-3, 0}});
+  return Grading::of_fractions(
+      {{2e-3, 3}, {5e-3, 4}, {1e-3, 2}, {5e-3, 1}, {0.1e-3, 0}, {7e-3, 0}});
 }
 
 // 10 % passes 1 mm, 60 % passes 10 mm, all passes 100 mm.
@@ -90,7 +91,6 @@ TEST_CASE("particles count with their area and the circle of that area, the boun
   particles.add(test::rectangle(0.2, 0.1), Motion::prescribed);
   const Grading g = grading(particles);
   const double small = std::sqrt(4e-6 / std::numbers::pi);
-  REQUIRE(g.points().size() == 3);
   CHECK(g.size_at(0.25) == Approx(small).epsilon(round_off));
   CHECK(g.passing(1.01 * small) == Approx(0.25).epsilon(round_off));
   CHECK(g.largest() == Approx(std::sqrt(3) * small).epsilon(round_off));

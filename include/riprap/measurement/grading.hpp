@@ -47,8 +47,7 @@ class Grading {
     Grading grading;
     double finer = 0;
     for (const SizeFraction& f : fractions) {
-      if (f.mass == 0) continue;
-      if (finer > 0) grading.points_.push_back({f.size, finer / total});
+      grading.points_.push_back({f.size, finer / total});
       finer += f.mass;
       grading.points_.push_back({f.size, finer / total});
     }
@@ -94,7 +93,7 @@ class Grading {
     const auto next =
         std::lower_bound(points_.begin(), points_.end(), share,
                          [](const GradingPoint& p, double s) { return p.passing < s; });
-    if (next == points_.begin() || next->passing == share) return next->size;
+    if (next == points_.begin()) return next->size;
     const GradingPoint& p = *(next - 1);
     return p.size *
            std::pow(next->size / p.size, (share - p.passing) / (next->passing - p.passing));
