@@ -7,10 +7,11 @@
 #include <vector>
 
 #include <support/message_of.hpp>
+#include <support/near.hpp>
 #include <support/polygons.hpp>
 
 using namespace riprap;
-using doctest::Approx;
+using test::near_relative;
 
 namespace {
 
@@ -31,46 +32,46 @@ Grading sieved() { return Grading::of_sieves({{1e-3, 0.1}, {10e-3, 0.6}, {100e-3
 TEST_CASE("grains of known sizes make a curve of steps") {
   const Grading g = three_sizes();
   CHECK(g.passing(0.99e-3) == 0);
-  CHECK(g.passing(1e-3) == Approx(0.2).epsilon(round_off));  // a grain passes its own size
-  CHECK(g.passing(1.99e-3) == Approx(0.2).epsilon(round_off));
-  CHECK(g.passing(2e-3) == Approx(0.5).epsilon(round_off));
-  CHECK(g.passing(4.99e-3) == Approx(0.5).epsilon(round_off));
+  CHECK(g.passing(1e-3) == near_relative(0.2, round_off));  // a grain passes its own size
+  CHECK(g.passing(1.99e-3) == near_relative(0.2, round_off));
+  CHECK(g.passing(2e-3) == near_relative(0.5, round_off));
+  CHECK(g.passing(4.99e-3) == near_relative(0.5, round_off));
   CHECK(g.passing(5e-3) == 1);
   CHECK(g.passing(1) == 1);
   CHECK(g.size_at(0.1) == 1e-3);
-  CHECK(g.size_at(0.3) == Approx(2e-3).epsilon(round_off));
-  CHECK(g.size_at(0.6) == Approx(5e-3).epsilon(round_off));
+  CHECK(g.size_at(0.3) == near_relative(2e-3, round_off));
+  CHECK(g.size_at(0.6) == near_relative(5e-3, round_off));
   CHECK(g.largest() == 5e-3);  // grains of no mass are not there
 }
 
 TEST_CASE("between sieves the curve is straight over the logarithm of size") {
   const Grading g = sieved();
   CHECK(g.passing(0.5e-3) == 0);
-  CHECK(g.passing(1e-3) == Approx(0.1).epsilon(round_off));
-  CHECK(g.passing(std::sqrt(10) * 1e-3) == Approx(0.35).epsilon(round_off));
-  CHECK(g.passing(50e-3) == Approx(0.6 + 0.4 * std::log10(5)).epsilon(round_off));
+  CHECK(g.passing(1e-3) == near_relative(0.1, round_off));
+  CHECK(g.passing(std::sqrt(10) * 1e-3) == near_relative(0.35, round_off));
+  CHECK(g.passing(50e-3) == near_relative(0.6 + 0.4 * std::log10(5), round_off));
   CHECK(g.size_at(0.05) == 1e-3);  // what passes the finest sieve has its size
   CHECK(g.size_at(0.1) == 1e-3);
-  CHECK(g.size_at(0.35) == Approx(std::sqrt(10) * 1e-3).epsilon(round_off));
+  CHECK(g.size_at(0.35) == near_relative(std::sqrt(10) * 1e-3, round_off));
   CHECK(g.size_at(0.6) == 10e-3);
   CHECK(g.size_at(1) == 100e-3);
   for (const double share : {0.11, 0.3, 0.59, 0.61, 0.999})
-    CHECK(g.passing(g.size_at(share)) == Approx(share).epsilon(round_off));
+    CHECK(g.passing(g.size_at(share)) == near_relative(share, round_off));
 }
 
 TEST_CASE("the area above a size is the mean logarithm of what is coarser") {
   const double ten_to_seventy_four_hundredths =
       Grading::of_fractions({{10e-3, 7}}).area_above(0.074e-3);
-  CHECK(ten_to_seventy_four_hundredths == Approx(2.1307683).epsilon(1e-8));
+  CHECK(ten_to_seventy_four_hundredths == near_relative(2.1307683, 1e-8));
   CHECK(three_sizes().area_above(1e-3) ==
-        Approx(0.3 * std::log10(2) + 0.5 * std::log10(5)).epsilon(round_off));
-  CHECK(three_sizes().area_above(2e-3) == Approx(0.5 * std::log10(2.5)).epsilon(round_off));
+        near_relative(0.3 * std::log10(2) + 0.5 * std::log10(5), round_off));
+  CHECK(three_sizes().area_above(2e-3) == near_relative(0.5 * std::log10(2.5), round_off));
   CHECK(three_sizes().area_above(5e-3) == 0);
   // Trapezia between the sieves: means of 0 and 1, and of 1 and 2, decades above 1 mm.
-  CHECK(sieved().area_above(1e-3) == Approx(0.5 * 0.5 + 0.4 * 1.5).epsilon(round_off));
-  CHECK(sieved().area_above(0.1e-3) == Approx(0.1 + 0.5 * 1.5 + 0.4 * 2.5).epsilon(round_off));
+  CHECK(sieved().area_above(1e-3) == near_relative(0.5 * 0.5 + 0.4 * 1.5, round_off));
+  CHECK(sieved().area_above(0.1e-3) == near_relative(0.1 + 0.5 * 1.5 + 0.4 * 2.5, round_off));
   // Of the upper trapezium a triangle is left: half a decade wide, 20 % high.
-  CHECK(sieved().area_above(std::sqrt(1000) * 1e-3) == Approx(0.5 * 0.5 * 0.2).epsilon(round_off));
+  CHECK(sieved().area_above(std::sqrt(1000) * 1e-3) == near_relative(0.5 * 0.5 * 0.2, round_off));
   CHECK(sieved().area_above(1) == 0);
 }
 
@@ -79,8 +80,8 @@ TEST_CASE("a curve does not depend on units, nor on how a fraction is divided") 
   const Grading millimetres =
       Grading::of_fractions({{1, 0.4}, {2, 0.1}, {2, 0.5}, {5, 0.3}, {5, 0.7}});
   for (const double size : {0.5, 1.5, 3.0, 6.0})
-    CHECK(millimetres.passing(size) == Approx(metres.passing(1e-3 * size)).epsilon(round_off));
-  CHECK(millimetres.area_above(0.3) == Approx(metres.area_above(0.3e-3)).epsilon(round_off));
+    CHECK(millimetres.passing(size) == near_relative(metres.passing(1e-3 * size), round_off));
+  CHECK(millimetres.area_above(0.3) == near_relative(metres.area_above(0.3e-3), round_off));
 }
 
 TEST_CASE("particles count with their area and the circle of that area, the boundary not at all") {
@@ -91,9 +92,9 @@ TEST_CASE("particles count with their area and the circle of that area, the boun
   particles.add(test::rectangle(0.2, 0.1), Motion::prescribed);
   const Grading g = grading(particles);
   const double small = std::sqrt(4e-6 / std::numbers::pi);
-  CHECK(g.size_at(0.25) == Approx(small).epsilon(round_off));
-  CHECK(g.passing(1.01 * small) == Approx(0.25).epsilon(round_off));
-  CHECK(g.largest() == Approx(std::sqrt(3) * small).epsilon(round_off));
+  CHECK(g.size_at(0.25) == near_relative(small, round_off));
+  CHECK(g.passing(1.01 * small) == near_relative(0.25, round_off));
+  CHECK(g.largest() == near_relative(std::sqrt(3) * small, round_off));
 }
 
 TEST_CASE("pieces of pieces add up to the intact particle they came from") {
@@ -110,11 +111,11 @@ TEST_CASE("pieces of pieces add up to the intact particle they came from") {
   particles.add(test::rectangle(1e-3, 1e-3), Motion::free, &second);
 
   const Grading before = grading_before_breakage(particles);
-  CHECK(before.largest() == Approx(largest).epsilon(round_off));
-  CHECK(before.passing(0.9 * largest) == Approx(0.2).epsilon(round_off));
+  CHECK(before.largest() == near_relative(largest, round_off));
+  CHECK(before.passing(0.9 * largest) == near_relative(0.2, round_off));
   const Grading after = grading(particles);
-  CHECK(after.largest() == Approx(largest / std::sqrt(2)).epsilon(round_off));
-  CHECK(after.passing(0.6 * largest) == Approx(0.6).epsilon(round_off));
+  CHECK(after.largest() == near_relative(largest / std::sqrt(2), round_off));
+  CHECK(after.passing(0.6 * largest) == near_relative(0.6, round_off));
 }
 
 TEST_CASE("gradings that cannot be are refused") {
