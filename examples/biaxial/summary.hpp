@@ -2,11 +2,14 @@
 // The summary of a biaxial test: every parameter and dimensionless number, peaks, counts, times.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include <riprap/measurement/breakage_indices.hpp>
 
 #include "options.hpp"
 
@@ -160,6 +163,25 @@ Json numbers_json(const Options& o, const Sim& sim, const riprap::BiaxialResult&
   return j;
 }
 
+// Sieves for Marsal's index: each opening is the one before over the square root of two.
+inline std::vector<double> sieves_below(double largest) {
+  std::vector<double> sieves;
+  for (int k = 16; k > 0; --k) sieves.push_back(largest * std::pow(2, -0.5 * k));
+  return sieves;
+}
+
+inline Json grading_json(const riprap::Particles& particles) {
+  using namespace riprap;
+  const Grading before = grading_before_breakage(particles);
+  const Grading after = grading(particles);
+  return {{"d10_m", {before.size_at(0.10), after.size_at(0.10)}},
+          {"d50_m", {before.size_at(0.50), after.size_at(0.50)}},
+          {"hardin_b_r", hardin_breakage(before, after)},
+          {"marsal_b_g", marsal_breakage(before, after, sieves_below(before.largest()))},
+          {"lade_b_10", lade_breakage(before, after)},
+          {"einav_b_r", einav_breakage(before, after)}};
+}
+
 template <class Sim>
 Json summary(const Options& o, const Sim& sim, const riprap::BiaxialTest& test,
              const riprap::BiaxialResult& result, const riprap::Curve& curve,
@@ -180,6 +202,7 @@ Json summary(const Options& o, const Sim& sim, const riprap::BiaxialTest& test,
            {{"particles", sim.particles().size()},
             {"breakages", sim.breaks().size()},
             {"breakages_before_shear", curve.breakages_before_shear()}}},
+          {"grading_before_and_after", grading_json(sim.particles())},
           {"energy_error", curve.points().back().energy_error()},
           {"stages", stages},
           {"warnings", warnings}};

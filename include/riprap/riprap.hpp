@@ -33,6 +33,7 @@
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/experiment/curve.hpp>
 #include <riprap/geometry/adapt/boost.hpp>
+#include <riprap/measurement/breakage_indices.hpp>
 #include <riprap/output/csv.hpp>
 #include <riprap/output/progress.hpp>
 #include <riprap/particle/random_assembly.hpp>

@@ -3,11 +3,15 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/breakage/criterion/never_fails.hpp>
 #include <riprap/core/units.hpp>
+#include <riprap/stress/element/constant_strain_triangle.hpp>
+#include <riprap/stress/plane_state/plane_stress.hpp>
+#include <support/loaded_particle.hpp>
 #include <support/near.hpp>
 
 using namespace riprap;
@@ -89,4 +93,70 @@ TEST_CASE("a particle without load or without elements has not failed") {
   CHECK(std::isinf(unloaded.lowest_safety_factor));
   CHECK(tally_failures(HoekBrown{}, ElementStress{}).ratio() == 0);
   CHECK(tally_failures(NeverFails{}, elements({torn(0.01), crushed(0.01)})).failed == 0);
+}
+
+namespace {
+
+// Contact forces of some kN fail part of a particle of 16 mm.
+std::vector<BoundaryLoad> heavy_loads(const Mesh& mesh, Random& random) {
+  auto loads = test::random_loads(mesh, 4, random);
+  for (BoundaryLoad& load : loads) load.force *= 10;
+  return loads;
+}
+
+// Round-off moves a safety factor by some 1e-10, and no element over its limit.
+void check_same(const FailureTally& found, const FailureTally& expected) {
+  CHECK(found.ratio() == expected.ratio());
+  CHECK(found.first_failed == expected.first_failed);
+  CHECK(found.lowest_safety_factor ==
+        near(expected.lowest_safety_factor, 1e-9 * expected.lowest_safety_factor));
+}
+
+FailureTally tally_of(const Mesh& mesh, const std::vector<BoundaryLoad>& loads) {
+  const InfluenceOperator op(mesh, ConstantStrainTriangle{}, PlaneStress{}, Rock{}, 0.016, false);
+  return tally_failures(HoekBrown{}, test::stress_of(op, loads));
+}
+
+}  // namespace
+
+TEST_CASE("a turned or mirrored particle has the same Rat, and the same first failed element") {
+  Random random(301);
+  int between = 0;
+  for (int sample = 0; sample < 20; ++sample) {
+    const Mesh mesh = test::random_mesh(random, 100);
+    const auto loads = heavy_loads(mesh, random);
+    const FailureTally tally = tally_of(mesh, loads);
+    between += tally.failed > 0 && tally.failed < tally.elements;
+
+    const Rotation turn = Rotation::from_angle(random.uniform(-3, 3));
+    auto turned_loads = loads;
+    for (BoundaryLoad& load : turned_loads) load.force = turn * load.force;
+    check_same(tally_of(test::turned(mesh, turn), turned_loads), tally);
+
+    auto mirrored_loads = loads;
+    for (BoundaryLoad& load : mirrored_loads) load.force.x() *= -1;
+    check_same(tally_of(test::mirror_image(mesh), mirrored_loads), tally);
+  }
+  CHECK(between >= 10);  // neither all intact nor all failed
+}
+
+TEST_CASE("a particle whose vertices are counted from another one has the same Rat") {
+  // The mesh is carried along: its boundary nodes are counted from another corner too.
+  Random random(302);
+  for (int sample = 0; sample < 20; ++sample) {
+    const Mesh mesh = test::random_mesh(random, 100);
+    auto loads = heavy_loads(mesh, random);
+    const FailureTally tally = tally_of(mesh, loads);
+    const std::uint32_t shift = mesh.boundary_nodes - mesh.corners[1];
+    const auto renamed = [&](std::uint32_t node) {
+      return node < mesh.boundary_nodes ? (node + shift) % mesh.boundary_nodes : node;
+    };
+    Mesh other = mesh;
+    for (std::uint32_t i = 0; i < mesh.boundary_nodes; ++i) other.nodes[renamed(i)] = mesh.nodes[i];
+    for (auto& triangle : other.triangles)
+      for (std::uint32_t& node : triangle) node = renamed(node);
+    for (BoundaryLoad& load : loads)
+      load.at = {renamed(load.at.node), renamed(load.at.next), load.at.weight};
+    check_same(tally_of(other, loads), tally);
+  }
 }
