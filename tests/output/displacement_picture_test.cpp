@@ -136,7 +136,7 @@ TEST_CASE("the legend has a sample for each kind of path and the largest displac
   };
   CHECK(sample("intact particle").attribute("stroke") == lines[0].attribute("stroke"));
   CHECK(sample("piece").attribute("stroke") == lines[2].attribute("stroke"));
-  CHECK(!sample("from parent to piece").attribute("stroke-dasharray").empty());
+  CHECK(!sample("parent to piece").attribute("stroke-dasharray").empty());
   // The straight way from start to end, by Pythagoras.
   CHECK_NOTHROW(static_cast<void>(test::text_element(all, "5 mm")));
 }

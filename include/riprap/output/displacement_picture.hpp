@@ -58,7 +58,7 @@ inline void displacement_legend(Svg& svg, const Vec2& corner, double largest) {
     at += row;
   }
   svg.line(at + rise, at + end, branch_style);
-  svg.text(at + label, "from parent to piece");
+  svg.text(at + label, "parent to piece");
   svg.text(at + row, "dots: centroids now");
   const UnitPrefix prefix = unit_prefix(largest);
   svg.text(at + 2.5 * row, "largest displacement");

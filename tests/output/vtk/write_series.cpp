@@ -32,8 +32,10 @@ void describe(std::ofstream& out, const Sim& sim) {
     const double parent = a.generation > 0 ? a.parent : -1.0;
     line(out, "particle", a.id, parent, a.root, a.generation, static_cast<int>(b.motion),
          b.velocity.x(), b.velocity.y(), 0, b.angular_velocity, stresses[i].s11, stresses[i].s22,
-         stresses[i].s12, ratios[i], particles.ring(i).size(), particles.shape(i).area,
-         b.position.x(), b.position.y());
+         stresses[i].s12, ratios[i], particles.shape(i).area, b.position.x(), b.position.y());
+    out << "ring";
+    for (const Vec2& v : particles.ring(i)) out << ' ' << to_text(v.x()) << ' ' << to_text(v.y());
+    out << '\n';
   }
   sim.contacts().for_each_touching([&](const auto& c) {
     const Body& a = particles.body(c.a);
