@@ -22,8 +22,7 @@ namespace {
 class Sheared {
  public:
   explicit Sheared(unsigned count)
-      : sim(Model{}, random_assembly({.count = count, .mean_diameter = size}), Rock{}),
-        boundary_(sim.particles()) {
+      : sim(Model{}, random_assembly({.count = count, .mean_diameter = size}), Rock{}) {
     sim.set_breakage(false);
     rate_ = test.run(sim).axial_rate;
     (void)sim.failed_ratios();  // builds the operators that are not there yet
@@ -32,7 +31,7 @@ class Sheared {
 
   // Shortens axis 2 on and holds the stress along axis 1.
   void steer(double time) {
-    const double area = boundary_.area(sim.particles());
+    const double area = sim.boundary().region(sim.particles()).area();
     const double thickness = sim.particles().thickness();
     const double stress = average_stress(sim.contacts(), area, thickness).s11;
     sim.boundary().set_rate(servo_.rate(pressure - stress, time), rate_);
@@ -46,7 +45,6 @@ class Sheared {
   static constexpr BiaxialTest test{
       .confining_pressure = pressure, .axial_strain = 0.002, .rest_unbalanced_force = 0.1};
 
-  BoundaryPolygon boundary_;
   double rate_ = 0;
   // As in the test: a sample as stiff as k_n / 2t, answered in the time of a pressure wave.
   PressureServo servo_{0.5 * LinearSpringCoulomb{}.normal_stiffness / size, 4e-4, 20};

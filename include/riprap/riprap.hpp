@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// What a simulation needs: all policies but the optional ones, Model, Simulation, the biaxial test and
-/// its records. Needs the headers of Eigen and Boost only.
+/// What a simulation needs: all policies but the optional ones, Model, Simulation, the biaxial test
+/// and its records. Needs the headers of Eigen and Boost only.
 
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
 #include <riprap/breakage/criterion/rankine.hpp>
@@ -17,6 +17,8 @@
 #include <riprap/contact/law/spring_dashpot.hpp>
 #include <riprap/core/units.hpp>
 #include <riprap/dynamics/boundary/no_boundary.hpp>
+#include <riprap/dynamics/boundary/periodic_cell.hpp>
+#include <riprap/dynamics/boundary/rigid_platens.hpp>
 #include <riprap/dynamics/damping/no_damping.hpp>
 #include <riprap/dynamics/damping/viscous_damping.hpp>
 #include <riprap/dynamics/integrator/velocity_verlet.hpp>
@@ -27,6 +29,7 @@
 #include <riprap/output/csv.hpp>
 #include <riprap/output/progress.hpp>
 #include <riprap/particle/random_assembly.hpp>
+#include <riprap/particle/random_box_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
 #include <riprap/stress/plane_state/plane_strain.hpp>
 #include <riprap/stress/support/two_pinned_contacts.hpp>

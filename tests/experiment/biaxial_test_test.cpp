@@ -2,11 +2,15 @@
 
 #include <cmath>
 #include <numbers>
+#include <riprap/dynamics/boundary/periodic_cell.hpp>
+#include <riprap/dynamics/boundary/rigid_platens.hpp>
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/experiment/curve.hpp>
 #include <riprap/output/csv.hpp>
 #include <riprap/particle/random_assembly.hpp>
+#include <riprap/particle/random_box_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
+#include <support/archetypes.hpp>
 #include <vector>
 
 using namespace riprap;
@@ -36,19 +40,22 @@ struct Witness {
   void begin_stage(const BiaxialView<Sim>& view) {
     begun.push_back(view.stage);
     share_before = 0;
-    if (view.stage == Stage::relaxation) friction_in_relaxation = view.sim.contacts().law().friction;
+    if (view.stage == Stage::relaxation)
+      friction_in_relaxation = view.sim.contacts().law().friction;
   }
   template <class Sim>
   void progress(const BiaxialView<Sim>& view) {
-    if (view.stage == Stage::compaction) friction_in_compaction = view.sim.contacts().law().friction;
+    if (view.stage == Stage::compaction)
+      friction_in_compaction = view.sim.contacts().law().friction;
     share_fell |= view.done < share_before || view.done > 1;
     share_before = view.done;
   }
   template <class Sim>
   void record(const BiaxialView<Sim>& view) {
     recorded.push_back(view.axial_strain());
-    area_error = std::max(
-        area_error, std::abs(view.area / view.boundary.area(view.sim.particles()) - 1));
+    area_error =
+        std::max(area_error,
+                 std::abs(view.area / view.sim.boundary().region(view.sim.particles()).area() - 1));
   }
   template <class Sim>
   void end_stage(const BiaxialView<Sim>& view) {
@@ -121,7 +128,8 @@ TEST_CASE("a biaxial test goes through its stages and keeps its promises") {
   CHECK(witness.hydrostatic_error <= small_test.hydrostatic_tolerance);
   CHECK(witness.hydrostatic_unbalanced < small_test.hydrostatic_unbalanced_force);
 
-  // A record at the start, one every 0.25 %, the last at the end; a step is far below 1e-5 of strain.
+  // A record at the start, one every 0.25 %, the last at the end; a step is far below 1e-5 of
+  // strain.
   REQUIRE(witness.recorded.size() == 9);
   for (std::size_t k = 0; k < witness.recorded.size(); ++k) {
     CHECK(witness.recorded[k] >= 0.0025 * static_cast<double>(k));
@@ -133,8 +141,7 @@ TEST_CASE("a biaxial test goes through its stages and keeps its promises") {
 
   // The rate is the one that the inertial number asks for.
   const double d = std::sqrt(4 * sim.mean_area() / std::numbers::pi);
-  CHECK(inertial_number(result.axial_rate, d, 2500, 8e6) ==
-        doctest::Approx(1e-3).epsilon(1e-12));
+  CHECK(inertial_number(result.axial_rate, d, 2500, 8e6) == doctest::Approx(1e-3).epsilon(1e-12));
   CHECK(std::abs(result.mean_confinement_error) < 0.02);
   CHECK(result.rms_confinement_error < 0.08);
 
@@ -144,6 +151,26 @@ TEST_CASE("a biaxial test goes through its stages and keeps its promises") {
   CHECK(std::abs(end.energy_error()) < 2e-3);
   CHECK(end.energy.boundary_work > 0);
   CHECK(end.stress.s22 > 1.5 * end.stress.s11);
+}
+
+TEST_CASE_TEMPLATE("every boundary carries the whole test", Edge, RigidPlatens, PeriodicCell) {
+  const RandomAssembly options{.count = 120, .seed = 3};
+  const Assembly assembly = std::is_same_v<Edge, RigidPlatens> ? random_platen_assembly(options)
+                                                               : random_periodic_assembly(options);
+  Simulation sim{Model{}.boundary(Edge{}), assembly, Rock{}};
+  Curve curve;
+  Witness witness;
+  const BiaxialResult result = small_test.run(sim, curve, witness);
+  for (const Stage stage : witness.ended) CHECK(result.stage(stage).reached_target);
+  CHECK(witness.area_error < 1e-10);
+  CHECK(witness.hydrostatic_error <= small_test.hydrostatic_tolerance);
+  CHECK(std::abs(result.mean_confinement_error) < 0.02);
+  CHECK(result.rms_confinement_error < 0.08);
+  const CurvePoint& end = curve.points().back();
+  CHECK(end.lost_particles == 0);
+  CHECK(std::abs(end.energy_error()) < 2e-3);
+  CHECK(end.stress.s22 > 1.5 * end.stress.s11);
+  CHECK(end.breakages > 0);
 }
 
 TEST_CASE("the work of the boundary is stress times strain") {
@@ -156,6 +183,13 @@ TEST_CASE("the work of the boundary is stress times strain") {
   test.record_every = 1e-4;
   test.run(sim, curve, work);
   CHECK(curve.points().back().energy.boundary_work == doctest::Approx(work.sum).epsilon(0.05));
+}
+
+TEST_CASE("a biaxial test asks of its boundary what SampleBoundary says and no more") {
+  BiaxialTest test = small_test;
+  test.axial_strain = 0.005;
+  CHECK(curve_of(Model{}.boundary(riprap::test::archetype::SampleBoundary{0}), test) ==
+        curve_of(Model{}, test));
 }
 
 TEST_CASE("two runs give the same curve, to the last byte") {
@@ -183,9 +217,8 @@ TEST_CASE("units of length, mass and time scale the whole test") {
         random_assembly(options),
         Rock{.young = 70e9 * stress, .density = 2500 * mass / (length * length * length)}};
     Curve curve;
-    BiaxialTest{.confining_pressure = 8e6 * stress,
-                .axial_strain = 0.01,
-                .jam_pressure = 2e5 * stress}
+    BiaxialTest{
+        .confining_pressure = 8e6 * stress, .axial_strain = 0.01, .jam_pressure = 2e5 * stress}
         .run(sim, curve);
     return curve.points().back();
   };
@@ -208,7 +241,7 @@ TEST_CASE("bad parameters are named, and so is a missing boundary") {
   loose.particles.push_back({ConvexPolygon{{0.0, 0.0}, {0.01, 0.0}, {0.0, 0.01}}});
   Simulation free{Model{}, loose, Rock{}};
   CHECK_THROWS_WITH_AS(small_test.run(free),
-                       "BiaxialTest needs at least 3 particles of Motion::strain_field; the "
+                       "a sample needs at least 3 boundary particles of Motion::strain_field; the "
                        "assembly has 0",
                        InvalidInput);
 }

@@ -28,8 +28,7 @@ struct Scene {
   explicit Scene(const test::Cross& cross = loaded) : sample(cross) {}
 
   test::StillSample sample;
-  BoundaryPolygon boundary{sample.particles()};
-  BiaxialView<test::StillSample> view = test::view_of(sample, boundary);
+  BiaxialView<test::StillSample> view = test::view_of(sample);
 
   [[nodiscard]] CurvePoint measured() const {
     Curve curve;
@@ -70,10 +69,9 @@ test::Near lag_of_leapfrog(const Sim& sim) {
 /// Squeezes the sample for some steps and gives the energy booked at the end.
 template <class Sim>
 EnergyTerms energy_of_squeeze(Sim& sim, Stage stage) {
-  const BoundaryPolygon boundary(sim.particles());
-  BiaxialView<Sim> view{.sim = sim, .boundary = boundary, .stage = stage};
+  BiaxialView<Sim> view{.sim = sim, .stage = stage};
   view.mean_diameter = 0.016;
-  view.area = boundary.area(sim.particles());
+  view.area = sim.boundary().region(sim.particles()).area();
   Curve curve;
   curve.begin_stage(view);
   sim.boundary().set_rate(rate.x(), rate.y());

@@ -24,8 +24,7 @@ struct Scene {
   explicit Scene(const test::Cross& cross = {}) : sample(cross) {}
 
   test::StillSample sample;
-  BoundaryPolygon boundary{sample.particles()};
-  BiaxialView<test::StillSample> view = test::view_of(sample, boundary);
+  BiaxialView<test::StillSample> view = test::view_of(sample);
 
   /// Warnings of one record.
   [[nodiscard]] std::vector<std::string> warnings(const Limits& limits = {}) const {

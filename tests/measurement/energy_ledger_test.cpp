@@ -57,7 +57,6 @@ struct SpringDashpot {
     return 0.5 * stiffness * geometry.depth * geometry.depth;
   }
   double peak_stiffness() const { return stiffness; }
-  void validate() const {}
 };
 
 // What EnergyLedger reads from a simulation, to be set by hand.

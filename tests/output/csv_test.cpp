@@ -72,8 +72,7 @@ Curve uneven_curve(int records) {
   Curve curve;
   test::StillSample sample{
       test::Cross{.depths = {2.7e-5, 1e-5, -1e-5, 2.3e-5}, .slide = 1.3e-3, .turn = 0.3}};
-  const BoundaryPolygon boundary(sample.particles());
-  auto view = test::view_of(sample, boundary);
+  auto view = test::view_of(sample);
   curve.begin_stage(view);
   for (int k = 0; k < records; ++k) {
     sample.set_loss(1e-4);
@@ -239,8 +238,7 @@ TEST_CASE("energy.csv has every term of the balance and what the terms leave ove
 
 TEST_CASE("breakages.csv tells of every break who, when, why, where and into what") {
   const test::StillSample sample;
-  const BoundaryPolygon boundary(sample.particles());
-  auto view = test::view_of(sample, boundary);
+  auto view = test::view_of(sample);
   Curve curve;
   view.stage = Stage::hydrostatic;
   curve.record_break(view, break_of({.id = 7, .root = 7}));

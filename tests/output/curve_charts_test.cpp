@@ -20,8 +20,7 @@ Curve squeezed(int records) {
   for (int k = 0; k < records; ++k) {
     test::StillSample sample{test::Cross{.depths = {1e-5, 2e-5 + 1e-6 * k, -1e-5, 2.2e-5}}};
     sample.slide(4e-6 + 1e-7 * k);
-    const BoundaryPolygon boundary(sample.particles());
-    auto view = test::view_of(sample, boundary);
+    auto view = test::view_of(sample);
     if (k == 0) curve.begin_stage(view);
     view.stretch = {1 + 0.01 * k, 1 - 0.025 * k};
     sample.breaks().resize(static_cast<std::size_t>(k * k));

@@ -4,8 +4,11 @@
 #include <string>
 #include <vector>
 
+#include <riprap/dynamics/boundary/periodic_cell.hpp>
 #include <riprap/output/force_chain_picture.hpp>
+#include <riprap/simulation/simulation.hpp>
 #include <support/near.hpp>
+#include <support/rectangle.hpp>
 #include <support/still_sample.hpp>
 #include <support/svg_document.hpp>
 
@@ -69,10 +72,40 @@ TEST_CASE("a chain runs from centroid to centroid through the contact point") {
     const SvgElement& second = lines.at(2 * static_cast<std::size_t>(place) + 1);
     check_at(first.at("x1", "y1"), view(sample.particles().body(c.a).position));
     check_at(first.at("x2", "y2"), view(c.geometry.point));
-    CHECK(first.at("x2", "y2") == second.at("x1", "y1"));
-    check_at(second.at("x2", "y2"), view(sample.particles().body(c.b).position));
+    check_at(second.at("x1", "y1"), view(sample.particles().body(c.b).position));
+    check_at(second.at("x2", "y2"), view(c.geometry.point));
     CHECK(first.attribute("stroke-width") == second.attribute("stroke-width"));
   });
+}
+
+TEST_CASE("across a periodic cell each half of a line stays with its particle") {
+  // Two squares of 10 mm that meet through the sides of a cell of 40 mm, 0.01 mm deep.
+  const Assembly assembly{.thickness = 0.016,
+                          .particles = {{test::rectangle({0.00499, 0}, 0.01, 0.01)},
+                                        {test::rectangle({0.035, 0}, 0.01, 0.01)}},
+                          .period = {0.04, 0.04}};
+  const Simulation sim{Model{}.criterion(NeverFails{}).boundary(PeriodicCell{}), assembly, Rock{}};
+  const AssemblyView view(sim.particles());
+  const auto all =
+      test::svg_elements(force_chain_picture(sim.particles(), sim.contacts(), "Forces").document());
+  const auto lines = chains(all, view);
+  REQUIRE(lines.size() == 2);
+  CHECK(test::outside_canvas(all) == "");
+  // Both halves are 5 mm, to the depth of the overlap.
+  for (const SvgElement& line : lines)
+    CHECK((line.at("x2", "y2") - line.at("x1", "y1")).norm() ==
+          near(0.005 * view.scale(), 1e-5 * view.scale() + 0.02));
+}
+
+TEST_CASE("a chain ends at a platen") {
+  const Assembly assembly{
+      .thickness = 0.016,
+      .particles = {{test::rectangle({0, 0}, 0.01, 0.01)},
+                    {test::rectangle({0, 0.00999}, 0.03, 0.01), Motion::platen}}};
+  const Simulation sim{Model{}.criterion(NeverFails{}), assembly, Rock{}};
+  const auto all =
+      test::svg_elements(force_chain_picture(sim.particles(), sim.contacts(), "Forces").document());
+  CHECK(chains(all, AssemblyView(sim.particles())).size() == 1);
 }
 
 TEST_CASE("a line looks like the legend's sample of its class of force") {

@@ -154,8 +154,7 @@ TEST_CASE("a state is two files, and a collection of each kind names them with t
 TEST_CASE("in a biaxial test each record is a state, at the axial strain") {
   const test::Cross cross;
   const Simulation sim{Model{}, cross.assembly(), Rock{}};
-  const BoundaryPolygon boundary{sim.particles()};
-  BiaxialView<std::remove_const_t<decltype(sim)>> view{.sim = sim, .boundary = boundary};
+  BiaxialView<std::remove_const_t<decltype(sim)>> view{.sim = sim};
   const TemporaryFolder folder;
   ParaViewSeries series(folder.path);
   hooks::record(series, view);

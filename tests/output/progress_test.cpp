@@ -21,8 +21,7 @@ namespace {
 /// A sample in shear that breaks no rule, and what Progress says about it.
 struct Talk {
   test::StillSample sample;
-  BoundaryPolygon boundary{sample.particles()};
-  BiaxialView<test::StillSample> view = test::view_of(sample, boundary);
+  BiaxialView<test::StillSample> view = test::view_of(sample);
   std::FILE* out = std::tmpfile();
   Progress progress{out};
 

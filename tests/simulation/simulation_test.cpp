@@ -83,7 +83,6 @@ struct CountingRefusal {
     ++*asked;
     return std::nullopt;
   }
-  void validate() const {}
 };
 
 }  // namespace

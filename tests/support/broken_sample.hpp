@@ -22,7 +22,7 @@ class BrokenSample {
 
   [[nodiscard]] const Particles& particles() const { return particles_; }
   [[nodiscard]] BiaxialView<BrokenSample> view() const {
-    return {.sim = *this, .boundary = boundary_, .stage = Stage::shear};
+    return {.sim = *this, .stage = Stage::shear};
   }
 
   void move(BodyIndex i, const Vec2& by) {
@@ -52,7 +52,6 @@ class BrokenSample {
 
  private:
   Particles particles_;
-  BoundaryPolygon boundary_{particles_};
 };
 
 }  // namespace riprap::test

@@ -6,6 +6,7 @@
 
 #include <riprap/contact/contact_list.hpp>
 #include <riprap/contact/law/linear_spring_coulomb.hpp>
+#include <riprap/particle/particles.hpp>
 
 namespace riprap::test {
 
@@ -26,6 +27,9 @@ struct FakeContacts {
     for (const FakeContact& contact : list) visit(contact);
   }
   [[nodiscard]] const LinearSpringCoulomb& law() const { return contact_law; }
+  [[nodiscard]] Vec2 relative_velocity(const FakeContact& c, const Particles& particles) const {
+    return particles.body(c.b).velocity_at(c.arm_b) - particles.body(c.a).velocity_at(c.arm_a);
+  }
   [[nodiscard]] double slipped() const { return lost_in_slip; }
   [[nodiscard]] double damped() const { return lost_in_dashpots; }
 };

@@ -12,8 +12,8 @@
 #include <riprap/contact/contact_list.hpp>
 #include <riprap/contact/law/linear_spring_coulomb.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
+#include <riprap/dynamics/boundary/strain_field.hpp>
 #include <riprap/experiment/stage.hpp>
-#include <riprap/measurement/volume.hpp>
 #include <riprap/particle/assembly.hpp>
 #include <riprap/particle/particles.hpp>
 #include <riprap/simulation/break_event.hpp>
@@ -80,6 +80,7 @@ class StillSample {
 
   [[nodiscard]] const Particles& particles() const { return particles_; }
   [[nodiscard]] const Contacts& contacts() const { return contacts_; }
+  [[nodiscard]] const StrainField& boundary() const { return boundary_; }
   [[nodiscard]] const std::vector<BreakEvent>& breaks() const { return breaks_; }
   [[nodiscard]] const Work& work() const { return work_; }
   [[nodiscard]] double time_step() const { return time_step_; }
@@ -104,6 +105,7 @@ class StillSample {
  private:
   Particles particles_;
   Contacts contacts_;
+  StrainField boundary_;
   std::vector<BreakEvent> breaks_;
   Work work_;
   Vec2 body_force_{0, 0};
@@ -111,12 +113,11 @@ class StillSample {
 };
 
 /// What the run of a biaxial test would tell its observers about the sample in shear.
-[[nodiscard]] inline BiaxialView<StillSample> view_of(const StillSample& sample,
-                                                      const BoundaryPolygon& boundary) {
-  BiaxialView<StillSample> view{.sim = sample, .boundary = boundary, .stage = Stage::shear};
+[[nodiscard]] inline BiaxialView<StillSample> view_of(const StillSample& sample) {
+  BiaxialView<StillSample> view{.sim = sample, .stage = Stage::shear};
   view.confining_pressure = 2e6;
   view.mean_diameter = 0.016;
-  view.area = boundary.area(sample.particles());
+  view.area = sample.boundary().region(sample.particles()).area();
   return view;
 }
 

@@ -16,7 +16,6 @@ struct Fan {  // one triangle from each edge to the centroid: coarse and quick
     }
     return mesh;
   }
-  void validate() const {}
 };
 
 int main() {

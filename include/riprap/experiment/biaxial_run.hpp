@@ -20,7 +20,6 @@
 #include <riprap/measurement/average_stress.hpp>
 #include <riprap/measurement/dimensionless.hpp>
 #include <riprap/measurement/energy.hpp>
-#include <riprap/measurement/volume.hpp>
 
 namespace riprap::internal {
 
@@ -42,13 +41,9 @@ template <class Test, class Sim, class... Observers>
 class BiaxialRun {
  public:
   BiaxialRun(const Test& test, Sim& sim, std::remove_reference_t<Observers>&... observers)
-      : test_(test), sim_(sim), boundary_(sim.particles()), observers_(observers...),
-        view_{.sim = sim, .boundary = boundary_, .confining_pressure = test.confining_pressure} {
+      : test_(test), sim_(sim), observers_(observers...),
+        view_{.sim = sim, .confining_pressure = test.confining_pressure} {
     view_.mean_diameter = std::sqrt(4 * sim.mean_area() / std::numbers::pi);
-    if (boundary_.members().size() < 3)
-      throw InvalidInput("BiaxialTest needs at least 3 particles of Motion::strain_field; the "
-                         "assembly has " +
-                         std::to_string(boundary_.members().size()));
   }
 
   BiaxialResult run() {
@@ -75,9 +70,10 @@ class BiaxialRun {
   }
   // The time that a pressure wave takes from the boundary to the centre.
   [[nodiscard]] double servo_response() const {
-    return boundary_.semi_axes(sim_.particles()).maxCoeff() *
+    return Vec2(region().semi_axes()).maxCoeff() *
            std::sqrt(sim_.rock().density / sample_stiffness());
   }
+  [[nodiscard]] auto region() const { return sim_.boundary().region(sim_.particles()); }
   [[nodiscard]] Stress2 stress() const {
     return average_stress(sim_.contacts(), view_.area, sim_.particles().thickness());
   }
@@ -91,7 +87,7 @@ class BiaxialRun {
     view_.stage = stage;
     view_.done = 0;
     view_.stretch = {1, 1};
-    first_area_ = boundary_.area(sim_.particles());
+    first_area_ = region().area();
     view_.area = first_area_;
     set_rate({0, 0});
     tell([&](auto& o) { hooks::begin_stage(o, view_); });
@@ -156,7 +152,7 @@ class BiaxialRun {
         sim_.set_velocity(i, -rate * body.position);
     set_rate({rate, rate});
     // A jammed sample of sharp polygons fills about 0.8 of its boundary polygon.
-    const double solid = boundary_.solid_area(sim_.particles());
+    const double solid = region().solid_area();
     const double distance = std::log(view_.area * 0.8 / solid);
     const bool jammed =
         step_until([] {},
@@ -248,7 +244,6 @@ class BiaxialRun {
 
   const Test& test_;
   Sim& sim_;
-  BoundaryPolygon boundary_;
   std::tuple<std::remove_reference_t<Observers>&...> observers_;
   BiaxialView<Sim> view_;
   double first_area_ = 0;

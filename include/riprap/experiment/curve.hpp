@@ -13,6 +13,7 @@
 #include <riprap/measurement/dimensionless.hpp>
 #include <riprap/measurement/energy_ledger.hpp>
 #include <riprap/measurement/fabric.hpp>
+#include <riprap/measurement/porosity.hpp>
 #include <riprap/measurement/stress_force_fabric.hpp>
 #include <riprap/simulation/break_event.hpp>
 
@@ -112,14 +113,14 @@ class Curve {
     constexpr double inner_share = 0.65;
     const Particles& particles = view.sim.particles();
     const auto& contacts = view.sim.contacts();
+    const auto region = view.sim.boundary().region(particles);
     CurvePoint p;
     p.axial_strain = view.axial_strain();
     p.volumetric_strain = view.volumetric_strain();
-    p.porosity = porosity(view.boundary, particles, contacts);
+    p.porosity = porosity(region, contacts);
     p.stress = average_stress(contacts, view.area, particles.thickness());
     p.inner_stress = average_stress_within(
-        contacts, particles.bodies(), Ellipse{inner_share * view.boundary.semi_axes(particles)},
-        particles.thickness());
+        contacts, Ellipse{inner_share * Vec2(region.semi_axes())}, particles.thickness());
     p.coordination = coordination(contacts, particles);
     p.particles = particles.size();
     p.breakages = view.sim.breaks().size() - breakages_before_shear_;
@@ -128,7 +129,7 @@ class Curve {
         inertial_number(view.rate.y(), view.mean_diameter, particles.density(), p.stress.mean());
     p.state = state_numbers(contacts, particles, view.sim.body_force());
     p.overlap_ratio = p.state.mean_overlap / view.mean_diameter;
-    p.lost_particles = view.boundary.lost(particles);
+    p.lost_particles = region.lost();
     p.energy = ledger_.terms(view.sim);
     return p;
   }

@@ -3,7 +3,6 @@
 /// The stages of a biaxial test and what an observer sees of them.
 
 #include <riprap/core/vec2.hpp>
-#include <riprap/measurement/volume.hpp>
 
 namespace riprap {
 
@@ -28,7 +27,6 @@ enum class Stage { compaction, relaxation, hydrostatic, shear };
 template <class Sim>
 struct BiaxialView {
   const Sim& sim;
-  const BoundaryPolygon& boundary;
   Stage stage = Stage::compaction;
   double done = 0;                ///< rough share of the stage that is done, in [0, 1]
   bool reached_target = false;    ///< at end_stage; false: the cap on its steps ended the stage

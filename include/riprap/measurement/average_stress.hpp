@@ -49,13 +49,13 @@ struct Ellipse {
 
 /// The same average over the material inside an ellipse: each contact counts with the share of its
 /// branch that lies inside. Free of the boundary's own effects.
-/// @param bodies read for the positions of the bodies in contact
-template <class Contacts, class Bodies>
-[[nodiscard]] Stress2 average_stress_within(const Contacts& contacts, const Bodies& bodies,
-                                            const Ellipse& region, double thickness) {
+template <class Contacts>
+[[nodiscard]] Stress2 average_stress_within(const Contacts& contacts, const Ellipse& region,
+                                            double thickness) {
   Stress2 sum;
   contacts.for_each_touching([&](const auto& c) {
-    const double share = region.share_inside(bodies[c.a].position, bodies[c.b].position);
+    const double share =
+        region.share_inside(c.geometry.point - c.arm_a, c.geometry.point - c.arm_b);
     const Vec2 f = c.force_on_b();
     const Vec2 l = share * c.branch();
     sum += {f.x() * l.x(), f.y() * l.y(), 0.5 * (f.x() * l.y() + f.y() * l.x())};

@@ -12,7 +12,7 @@ namespace riprap {
 /// Stress of every particle [Pa], averaged over its area, compression positive, in the order of the
 /// bodies: sigma_ij = -1 / (A t) sum of x_i f_j, symmetric part, over the forces f on the particle
 /// at arms x from its centroid. Weighted by area they add up to eq. 13 (average_stress). Exact for
-/// a particle in equilibrium.
+/// a particle in equilibrium; zero for a platen, whose arms are.
 template <class Contacts>
 [[nodiscard]] std::vector<Stress2> contact_stresses(const Contacts& contacts,
                                                     const Particles& particles) {

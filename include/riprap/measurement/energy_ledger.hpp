@@ -13,7 +13,7 @@ namespace riprap {
 /// boundary_work + body_force_work = kinetic + stored + slip + dashpot + damping + breakage
 ///                                   + law_residual + unclosed.
 struct EnergyTerms {
-  double boundary_work = 0;    ///< done by driven bodies
+  double boundary_work = 0;    ///< done by driven bodies, or by the shrinking of a periodic cell
   double body_force_work = 0;  ///< done by the uniform body force
   double kinetic = 0;          ///< change of kinetic energy of the free bodies
   double stored = 0;           ///< change of energy stored in the contacts
@@ -124,9 +124,7 @@ class EnergyLedger {
   [[nodiscard]] static double contact_power(const Sim& sim) {
     double sum = 0;
     sim.contacts().for_each_touching([&](const auto& c) {
-      const Vec2 relative = sim.particles().body(c.b).velocity_at(c.arm_b) -
-                            sim.particles().body(c.a).velocity_at(c.arm_a);
-      sum += c.force_on_b().dot(relative);
+      sum += c.force_on_b().dot(sim.contacts().relative_velocity(c, sim.particles()));
     });
     return sum;
   }

@@ -36,9 +36,14 @@ template <class Contacts>
     contacts.for_each_touching([&](const auto& c) {
       // Zero where particles just touch.
       if (c.force.normal == 0 || classes(c.force.normal) != k) return;
-      // Half by half through the contact point: a chain runs through the particles it loads.
-      svg.line(view(c.geometry.point - c.arm_a), view(c.geometry.point), style);
-      svg.line(view(c.geometry.point), view(c.geometry.point - c.arm_b), style);
+      // A half in each particle: a chain runs through the particles it loads. Across a periodic
+      // cell each half stays with its own; a platen has none.
+      const auto half = [&](BodyIndex i, const Vec2& arm) {
+        const Vec2& centroid = particles.body(i).position;
+        if (!arm.isZero()) svg.line(view(centroid), view(centroid + arm), style);
+      };
+      half(c.a, c.arm_a);
+      half(c.b, c.arm_b);
     });
   }
 

@@ -23,6 +23,7 @@ struct PlacedParticle {
 struct Assembly {
   double thickness = 0.016;  ///< [m]
   std::vector<PlacedParticle> particles;
+  Vec2 period{0, 0};  ///< extents of a periodic cell about the origin [m]; zero: an open plane
 
   /// Throws InvalidInput that names the particle, the value and the rule.
   void validate() const {

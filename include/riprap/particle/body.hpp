@@ -17,6 +17,7 @@ enum class Motion : unsigned char {
   free,          ///< Newton's law
   prescribed,    ///< the velocity it was given, whatever pushes it (zero: a fixed body)
   strain_field,  ///< the boundary's strain-rate field; it does not rotate and does not break
+  platen,        ///< a rigid, smooth wall that the boundary moves along its normal
 };
 
 /// A rigid body; its shape is stored beside it in Particles.

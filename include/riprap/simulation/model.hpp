@@ -13,6 +13,8 @@
 #include <riprap/contact/broad_phase/uniform_grid.hpp>
 #include <riprap/contact/law/linear_spring_coulomb.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
+#include <riprap/core/errors.hpp>
+#include <riprap/core/policy.hpp>
 #include <riprap/dynamics/boundary/strain_field.hpp>
 #include <riprap/dynamics/damping/local_damping.hpp>
 #include <riprap/dynamics/integrator/symplectic_euler.hpp>
@@ -76,7 +78,8 @@ template <class C, class T, class F, class S, class I>
 BreakageModel(C, T, F, S, I, unsigned) -> BreakageModel<C, T, F, S, I>;
 
 /// All policies of a simulator. Every setter returns a model of a new type, in which one policy has
-/// been exchanged and the others stay; what is not set is the paper's choice:
+/// been exchanged and the others stay; what is not set is the paper's choice. A policy that breaks
+/// a clause of its role leaves the model as it was, so that this is the only error:
 ///
 ///     auto model = Model{}.criterion(MohrCoulomb{}).line_fit(WeightedX{});
 template <class ContactPart = ContactModel<>, class MotionPart = MotionModel<>,
@@ -90,154 +93,154 @@ struct Model {
   /// How contacts turn geometry and motion into forces.
   template <class Law>
   [[nodiscard]] auto contact(Law law) const {
-    static_assert(ContactLaw<Law>,
-                  "riprap: .contact(law) needs a ContactLaw; the clauses are listed in "
-                  "riprap/contact/law/concepts.hpp");
     const auto& m = contact_model;
-    return with_contact(ContactModel{m.broad_phase, m.narrow_phase, std::move(law)});
+    if constexpr (check_contact_law<Law>())
+      return with_contact(ContactModel{m.broad_phase, m.narrow_phase, std::move(law)});
+    else
+      return *this;
   }
   /// How pairs of near bodies are found.
   template <class Broad>
   [[nodiscard]] auto broad_phase(Broad broad) const {
-    static_assert(BroadPhase<Broad>,
-                  "riprap: .broad_phase(broad) needs a BroadPhase; the clauses are listed in "
-                  "riprap/contact/broad_phase/concepts.hpp");
-    return with_contact(
-        ContactModel{std::move(broad), contact_model.narrow_phase, contact_model.law});
+    const auto& m = contact_model;
+    if constexpr (check_broad_phase<Broad>())
+      return with_contact(ContactModel{std::move(broad), m.narrow_phase, m.law});
+    else
+      return *this;
   }
   /// How the contact of two rings is described.
   template <class Narrow>
   [[nodiscard]] auto narrow_phase(Narrow narrow) const {
-    static_assert(NarrowPhase<Narrow>,
-                  "riprap: .narrow_phase(narrow) needs a NarrowPhase; the clauses are listed in "
-                  "riprap/contact/narrow_phase/concepts.hpp");
-    return with_contact(
-        ContactModel{contact_model.broad_phase, std::move(narrow), contact_model.law});
+    const auto& m = contact_model;
+    if constexpr (check_narrow_phase<Narrow>())
+      return with_contact(ContactModel{m.broad_phase, std::move(narrow), m.law});
+    else
+      return *this;
   }
 
   /// How free bodies advance.
   template <class Integration>
   [[nodiscard]] auto integrator(Integration integration) const {
-    static_assert(Integrator<Integration>,
-                  "riprap: .integrator(integrator) needs an Integrator; the clauses are listed in "
-                  "riprap/dynamics/integrator/concepts.hpp");
     const auto& m = motion_model;
-    return with_motion(MotionModel{std::move(integration), m.damping, m.time_step, m.boundary});
+    if constexpr (check_integrator<Integration>())
+      return with_motion(MotionModel{std::move(integration), m.damping, m.time_step, m.boundary});
+    else
+      return *this;
   }
   /// What takes energy out beside the contacts.
   template <class Damper>
   [[nodiscard]] auto damping(Damper damper) const {
-    static_assert(Damping<Damper>,
-                  "riprap: .damping(damping) needs a Damping; the clauses are listed in "
-                  "riprap/dynamics/damping/concepts.hpp");
     const auto& m = motion_model;
-    return with_motion(MotionModel{m.integrator, std::move(damper), m.time_step, m.boundary});
+    if constexpr (check_damping<Damper>())
+      return with_motion(MotionModel{m.integrator, std::move(damper), m.time_step, m.boundary});
+    else
+      return *this;
   }
   /// How the time step is chosen.
   template <class Rule>
   [[nodiscard]] auto time_step(Rule rule) const {
-    static_assert(TimeStepRule<Rule>,
-                  "riprap: .time_step(rule) needs a TimeStepRule; the clauses are listed in "
-                  "riprap/dynamics/time_step/concepts.hpp");
     const auto& m = motion_model;
-    return with_motion(MotionModel{m.integrator, m.damping, std::move(rule), m.boundary});
+    if constexpr (check_time_step<Rule>())
+      return with_motion(MotionModel{m.integrator, m.damping, std::move(rule), m.boundary});
+    else
+      return *this;
   }
   /// What moves the driven bodies.
   template <class Edge>
   [[nodiscard]] auto boundary(Edge edge) const {
-    static_assert(Boundary<Edge>,
-                  "riprap: .boundary(boundary) needs a Boundary; the clauses are listed in "
-                  "riprap/dynamics/boundary/concepts.hpp");
     const auto& m = motion_model;
-    return with_motion(MotionModel{m.integrator, m.damping, m.time_step, std::move(edge)});
+    if constexpr (check_boundary<Edge>())
+      return with_motion(MotionModel{m.integrator, m.damping, m.time_step, std::move(edge)});
+    else
+      return *this;
   }
 
   /// How particles are cut into triangles.
   template <class Meshing>
   [[nodiscard]] auto mesher(Meshing meshing) const {
-    static_assert(Mesher<Meshing>,
-                  "riprap: .mesher(mesher) needs a Mesher; the clauses are listed in "
-                  "riprap/stress/mesh/concepts.hpp");
     const auto& m = stress_model;
-    return with_stress(StressModel{std::move(meshing), m.element, m.plane_state, m.support});
+    if constexpr (check_mesher<Meshing>())
+      return with_stress(StressModel{std::move(meshing), m.element, m.plane_state, m.support});
+    else
+      return *this;
   }
   /// What a triangle is.
   template <class Finite>
   [[nodiscard]] auto element(Finite finite) const {
-    static_assert(Element<Finite>,
-                  "riprap: .element(element) needs an Element; the clauses are listed in "
-                  "riprap/stress/element/concepts.hpp");
     const auto& m = stress_model;
-    return with_stress(StressModel{m.mesher, std::move(finite), m.plane_state, m.support});
+    if constexpr (check_element<Finite>())
+      return with_stress(StressModel{m.mesher, std::move(finite), m.plane_state, m.support});
+    else
+      return *this;
   }
   /// What the third direction does.
   template <class Plane>
   [[nodiscard]] auto plane_state(Plane plane) const {
-    static_assert(PlaneState<Plane>,
-                  "riprap: .plane_state(plane) needs a PlaneState; the clauses are listed in "
-                  "riprap/stress/plane_state/concepts.hpp");
     const auto& m = stress_model;
-    return with_stress(StressModel{m.mesher, m.element, std::move(plane), m.support});
+    if constexpr (check_plane_state<Plane>())
+      return with_stress(StressModel{m.mesher, m.element, std::move(plane), m.support});
+    else
+      return *this;
   }
   /// What takes the rigid modes away.
   template <class Held>
   [[nodiscard]] auto support(Held held) const {
-    static_assert(Support<Held>,
-                  "riprap: .support(support) needs a Support; the clauses are listed in "
-                  "riprap/stress/support/concepts.hpp");
     const auto& m = stress_model;
-    return with_stress(StressModel{m.mesher, m.element, m.plane_state, std::move(held)});
+    if constexpr (check_support<Held>())
+      return with_stress(StressModel{m.mesher, m.element, m.plane_state, std::move(held)});
+    else
+      return *this;
   }
 
   /// When an element fails.
   template <class Criterion>
   [[nodiscard]] auto criterion(Criterion chosen) const {
-    static_assert(FailureCriterion<Criterion>,
-                  "riprap: .criterion(criterion) needs a FailureCriterion: "
-                  "major_stress_at_failure(minor) and tensile_strength(); see "
-                  "riprap/breakage/criterion/concepts.hpp");
     const auto& m = breakage_model;
-    return with_breakage(BreakageModel{std::move(chosen), m.trigger, m.line_fit, m.splitter,
-                                       m.inheritance, m.check_every});
+    if constexpr (check_criterion<Criterion>())
+      return with_breakage(BreakageModel{std::move(chosen), m.trigger, m.line_fit, m.splitter,
+                                         m.inheritance, m.check_every});
+    else
+      return *this;
   }
   /// When a particle breaks.
   template <class Trigger>
   [[nodiscard]] auto trigger(Trigger chosen) const {
-    static_assert(BreakageTrigger<Trigger>,
-                  "riprap: .trigger(trigger) needs a BreakageTrigger; the clauses are listed in "
-                  "riprap/breakage/trigger/concepts.hpp");
     const auto& m = breakage_model;
-    return with_breakage(BreakageModel{m.criterion, std::move(chosen), m.line_fit, m.splitter,
-                                       m.inheritance, m.check_every});
+    if constexpr (check_trigger<Trigger>())
+      return with_breakage(BreakageModel{m.criterion, std::move(chosen), m.line_fit, m.splitter,
+                                         m.inheritance, m.check_every});
+    else
+      return *this;
   }
   /// Where the crack runs.
   template <class Fit>
   [[nodiscard]] auto line_fit(Fit fit) const {
-    static_assert(LineFit<Fit>, "riprap: .line_fit(fit) needs a LineFit; the clauses are listed in "
-                                "riprap/breakage/line_fit/concepts.hpp");
     const auto& m = breakage_model;
-    return with_breakage(BreakageModel{m.criterion, m.trigger, std::move(fit), m.splitter,
-                                       m.inheritance, m.check_every});
+    if constexpr (check_line_fit<Fit>())
+      return with_breakage(BreakageModel{m.criterion, m.trigger, std::move(fit), m.splitter,
+                                         m.inheritance, m.check_every});
+    else
+      return *this;
   }
   /// How a particle is cut, and when a cut is refused.
   template <class Split>
   [[nodiscard]] auto splitter(Split split) const {
-    static_assert(Splitter<Split>,
-                  "riprap: .splitter(splitter) needs a Splitter; the clauses are listed in "
-                  "riprap/breakage/splitter/concepts.hpp");
     const auto& m = breakage_model;
-    return with_breakage(BreakageModel{m.criterion, m.trigger, m.line_fit, std::move(split),
-                                       m.inheritance, m.check_every});
+    if constexpr (check_splitter<Split>())
+      return with_breakage(BreakageModel{m.criterion, m.trigger, m.line_fit, std::move(split),
+                                         m.inheritance, m.check_every});
+    else
+      return *this;
   }
   /// How pieces move at birth.
   template <class Inherit>
   [[nodiscard]] auto inheritance(Inherit inherit) const {
-    static_assert(Inheritance<Inherit>,
-                  "riprap: .inheritance(inheritance) needs an Inheritance; the clauses are listed "
-                  "in riprap/breakage/inheritance/concepts.hpp");
     const auto& m = breakage_model;
-    return with_breakage(BreakageModel{m.criterion, m.trigger, m.line_fit, m.splitter,
-                                       std::move(inherit), m.check_every});
+    if constexpr (check_inheritance<Inherit>())
+      return with_breakage(BreakageModel{m.criterion, m.trigger, m.line_fit, m.splitter,
+                                         std::move(inherit), m.check_every});
+    else
+      return *this;
   }
   /// Steps between two checks of every particle.
   [[nodiscard]] Model check_every(unsigned steps) const {
@@ -248,17 +251,16 @@ struct Model {
 
   /// Asks every policy that has rules of its own; throws InvalidInput.
   void validate() const {
-    contact_model.broad_phase.validate();
-    contact_model.law.validate();
-    motion_model.damping.validate();
-    motion_model.time_step.validate();
-    stress_model.mesher.validate();
-    if constexpr (requires { breakage_model.criterion.validate(); })
-      breakage_model.criterion.validate();
-    require(breakage_model.criterion.tensile_strength() > 0, "criterion.tensile_strength()",
-            breakage_model.criterion.tensile_strength(), "must be above 0");
-    breakage_model.trigger.validate();
-    breakage_model.splitter.validate();
+    const auto all = [](const auto&... policies) { (riprap::validate(policies), ...); };
+    all(contact_model.broad_phase, contact_model.narrow_phase, contact_model.law);
+    all(motion_model.integrator, motion_model.damping, motion_model.time_step,
+        motion_model.boundary);
+    all(stress_model.mesher, stress_model.element, stress_model.plane_state, stress_model.support);
+    all(breakage_model.criterion, breakage_model.trigger, breakage_model.line_fit,
+        breakage_model.splitter, breakage_model.inheritance);
+    const double tensile_strength = breakage_model.criterion.tensile_strength();
+    require(tensile_strength > 0, "criterion.tensile_strength()", tensile_strength,
+            "must be above 0");
     require(breakage_model.check_every >= 1, "Model.check_every", breakage_model.check_every,
             "must be 1 or more");
   }

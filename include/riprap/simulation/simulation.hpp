@@ -29,6 +29,23 @@ struct BodyWork {
   double damping = 0;     ///< taken out by damping
 };
 
+namespace internal {
+
+/// The plane that a boundary makes of the world: periodic if it says so.
+template <class B>
+struct PlaneOfBoundary {
+  using type = OpenPlane;
+};
+template <class B>
+  requires requires(B& boundary) { boundary.plane(); }
+struct PlaneOfBoundary<B> {
+  using type = PeriodicPlane;
+};
+template <class B>
+using PlaneOf = typename PlaneOfBoundary<B>::type;
+
+}  // namespace internal
+
 /// A running simulation, composed at compile time from the policies of a Model:
 ///
 ///     Simulation sim{Model{}.criterion(MohrCoulomb{}), random_assembly({.seed = 1}), Rock{}};
@@ -38,9 +55,10 @@ struct BodyWork {
 template <class ModelType>
 class Simulation {
  public:
+  using Plane = internal::PlaneOf<decltype(ModelType::motion_model.boundary)>;
   using Contacts = ContactList<decltype(ModelType::contact_model.broad_phase),
                                decltype(ModelType::contact_model.narrow_phase),
-                               decltype(ModelType::contact_model.law)>;
+                               decltype(ModelType::contact_model.law), Plane>;
   static constexpr bool breakable = !decltype(ModelType::breakage_model)::never_fails;
 
   /// Throws InvalidInput if the model, the assembly or the rock breaks a rule.
@@ -50,17 +68,24 @@ class Simulation {
         contacts_(model_.contact_model.broad_phase, model_.contact_model.narrow_phase,
                   model_.contact_model.law),
         stress_(model_.stress_model, rock) {
-    double total_area = 0;
+    double intact_area = 0;
+    std::size_t intact = 0;
     for (const PlacedParticle& placed : assembly.particles) {
       const BodyIndex i = particles_.add(placed.polygon, placed.motion);
       Body& body = particles_.body(i);
       body.velocity = placed.velocity;
       body.angular_velocity = placed.angular_velocity;
-      total_area += particles_.shape(i).area;
+      // Platens and fixed bodies are tools, not grains.
+      if (body.motion == Motion::platen || body.motion == Motion::prescribed) continue;
+      intact_area += particles_.shape(i).area;
+      ++intact;
     }
-    mean_area_ = total_area / static_cast<double>(particles_.size());
+    mean_area_ = intact == 0 ? particles_.shape(0).area : intact_area / static_cast<double>(intact);
     choose_time_step();
     refusals_.resize(particles_.size());
+    if constexpr (requires { boundary().enclose(assembly, particles_); })
+      boundary().enclose(assembly, particles_);
+    if constexpr (Plane::periodic) contacts_.set_plane(boundary().plane());
     contacts_.update(particles_, 0);
   }
 
@@ -72,9 +97,14 @@ class Simulation {
   /// One time step. Throws SimulationError, naming the particle, if its motion is no longer finite.
   template <class... Observers>
   void step(Observers&... observers) {
-    model_.motion_model.boundary.drive(particles_.bodies(), time_step_);
+    boundary().drive(particles_.bodies(), time_step_);
+    if constexpr (Plane::periodic) contacts_.set_plane(boundary().plane());
     advance_bodies();
     (hooks::before_forces(observers, *this), ...);
+    if constexpr (Plane::periodic) {
+      boundary().drift(time_step_);
+      contacts_.set_plane(boundary().plane());
+    }
     contacts_.update(particles_, time_step_);
     (hooks::after_forces(observers, *this), ...);
     finish_bodies();
@@ -94,7 +124,8 @@ class Simulation {
   [[nodiscard]] double time() const { return time_; }            ///< [s]
   [[nodiscard]] const BodyWork& work() const { return work_; }
   [[nodiscard]] const std::vector<BreakEvent>& breaks() const { return breaks_; }
-  /// Mean area of the intact particles [m^2], and the mass of the smallest free one [kg].
+  /// Mean area of the intact particles at the start, platens and prescribed bodies left out [m^2],
+  /// and the mass of the smallest free one [kg].
   [[nodiscard]] double mean_area() const { return mean_area_; }
   [[nodiscard]] double smallest_mass() const { return smallest_mass_; }
   /// Memory held by influence operators [bytes].
@@ -114,6 +145,7 @@ class Simulation {
     choose_time_step();
   }
   [[nodiscard]] auto& boundary() { return model_.motion_model.boundary; }
+  [[nodiscard]] const auto& boundary() const { return model_.motion_model.boundary; }
   [[nodiscard]] auto& contact_law() { return contacts_.law(); }
   [[nodiscard]] auto& damping() { return model_.motion_model.damping; }
   void set_breakage(bool active) { breakage_active_ = active; }
@@ -163,6 +195,8 @@ class Simulation {
     assembly.validate();
     rock.validate();
     if (assembly.particles.empty()) throw InvalidInput("Assembly.particles is empty");
+    if (!Plane::periodic && assembly.period != Vec2{0, 0})
+      throw InvalidInput("Assembly.period is set: give the model a PeriodicCell as its boundary");
     return model;
   }
 
@@ -189,6 +223,7 @@ class Simulation {
   // Forces of the present poses move the bodies to the next ones.
   void advance_bodies() {
     const double kick_time = integrator().needs_finish ? 0.5 * time_step_ : time_step_;
+    work_.boundary += kick_time * contacts_.image_power();
     for (BodyIndex i = 0; i < particles_.size(); ++i) {
       Body& body = particles_.body(i);
       const Body before = body;
@@ -211,6 +246,7 @@ class Simulation {
   // The second kick, for integrators that have one.
   void finish_bodies() {
     if constexpr (decltype(model_.motion_model.integrator)::needs_finish) {
+      work_.boundary += 0.5 * time_step_ * contacts_.image_power();
       for (Body& body : particles_.bodies()) {
         if (body.is_free()) {
           const Body before = body;
@@ -327,8 +363,8 @@ class Simulation {
       if (body.is_free()) free = std::min(free, body.mass);
     }
     smallest_mass_ = free < none ? free : any < none ? any : smallest_mass_;
-    time_step_ =
-        model_.motion_model.time_step.time_step(smallest_mass_, contacts_.law().peak_stiffness());
+    const double stiffness = contacts_.law().peak_stiffness();
+    time_step_ = model_.motion_model.time_step.time_step(smallest_mass_, stiffness);
   }
 
   [[nodiscard]] const auto& integrator() const { return model_.motion_model.integrator; }

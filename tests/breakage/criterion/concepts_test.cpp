@@ -8,17 +8,19 @@
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
 #include <riprap/breakage/element_failure.hpp>
 #include <riprap/core/units.hpp>
+#include <support/archetypes.hpp>
 #include <support/criterion_properties.hpp>
 #include <support/near.hpp>
 
 using namespace riprap;
+namespace archetype = riprap::test::archetype;
 using riprap::test::near;
 
 namespace {
 
 // The smallest criterion: two functions, and nothing that a user could forget. A straight line of
 // slope 3, that is c = 10 MPa and phi = 30 degrees.
-struct Line {
+struct StraightLine {
   double major_stress_at_failure(double minor) const { return 3 * minor + 20e6 * std::sqrt(3.0); }
   double tensile_strength() const { return 5e6; }
 };
@@ -32,26 +34,38 @@ struct Parabola {
   double tensile_strength() const { return strength; }
 };
 
-struct WithoutTensileStrength {
-  double major_stress_at_failure(double minor) const { return minor; }
+struct WithoutTensileStrength : archetype::FailureCriterion {
+  void tensile_strength(int) const {}
 };
-struct WithoutCurve {
-  double tensile_strength() const { return 1; }
+struct WithoutCurve : archetype::FailureCriterion {
+  void major_stress_at_failure() const {}
 };
-struct NotConst {
-  double major_stress_at_failure(double minor) { return minor; }
+struct NotConst : archetype::FailureCriterion {
   double tensile_strength() { return 1; }
 };
-struct SaysThatItCanFail : Line {
+struct ChangesTheStress : archetype::FailureCriterion {
+  double major_stress_at_failure(double& minor) const { return minor; }
+};
+struct AngleIsNotConst : archetype::FailureCriterion {
+  double friction_angle(double) { return 0; }
+};
+struct AngleIsNoNumber : archetype::FailureCriterion {
+  Vec2 friction_angle(double) const { return {1, 0}; }
+};
+struct SaysThatItCanFail : StraightLine {
   static constexpr bool never_fails = false;
 };
 
-static_assert(FailureCriterion<Line>);
+static_assert(FailureCriterion<archetype::FailureCriterion>);
+static_assert(FailureCriterion<StraightLine>);
 static_assert(FailureCriterion<Parabola>);
 static_assert(!FailureCriterion<WithoutTensileStrength>);
 static_assert(!FailureCriterion<WithoutCurve>);
 static_assert(!FailureCriterion<NotConst>);
-static_assert(!never_fails<Line>);
+static_assert(!FailureCriterion<ChangesTheStress>);
+static_assert(!FailureCriterion<AngleIsNotConst>);
+static_assert(!FailureCriterion<AngleIsNoNumber>);
+static_assert(!never_fails<StraightLine>);
 static_assert(!never_fails<SaysThatItCanFail>);
 
 }  // namespace
@@ -59,9 +73,10 @@ static_assert(!never_fails<SaysThatItCanFail>);
 TEST_CASE("a criterion of two functions gets its friction angle from the slope of its curve") {
   const MohrCoulomb same{.cohesion = 10_MPa, .angle = 30_deg, .tension = 5_MPa};
   for (const double minor : {-5_MPa, 0_MPa, 1_MPa, 80_MPa}) {
-    CHECK(Line{}.major_stress_at_failure(minor) == near(same.major_stress_at_failure(minor), 1e-6));
+    CHECK(StraightLine{}.major_stress_at_failure(minor) ==
+          near(same.major_stress_at_failure(minor), 1e-6));
     // A difference over a millionth of the stress: round-off 1e-16 / 1e-6, some ten times that.
-    CHECK(friction_angle(Line{}, minor) == near(same.friction_angle(minor), 3e-9));
+    CHECK(friction_angle(StraightLine{}, minor) == near(same.friction_angle(minor), 3e-9));
   }
 }
 
@@ -86,17 +101,17 @@ TEST_CASE("sin phi = (k - 1) / (k + 1)") {
 }
 
 TEST_CASE("a criterion of two functions goes through the whole evaluation") {
-  test::check_criterion_properties(Line{});
+  test::check_criterion_properties(StraightLine{});
   test::check_criterion_properties(Parabola{});
   const Stress2 stress{40_MPa, 0, 0};
-  const ElementFailure element = evaluate(Line{}, stress);
+  const ElementFailure element = evaluate(StraightLine{}, stress);
   CHECK(element.mode == FailureMode::shear);
   CHECK(element.safety_factor == near(std::sqrt(3.0) / 2, 1e-14));
-  const FailurePlanes planes = failure_planes(Line{}, stress, element.mode);
+  const FailurePlanes planes = failure_planes(StraightLine{}, stress, element.mode);
   REQUIRE(planes.count == 2);
   CHECK(planes.angle_to(Vec2{std::cos(30_deg), std::sin(30_deg)}) == near(0, 3e-9));
   // Also as a member of a run-time choice.
-  const CriterionChoice<MohrCoulomb, Line> choice{Line{}};
-  CHECK(choice.friction_angle(7_MPa) == friction_angle(Line{}, 7_MPa));
+  const CriterionChoice<MohrCoulomb, StraightLine> choice{StraightLine{}};
+  CHECK(choice.friction_angle(7_MPa) == friction_angle(StraightLine{}, 7_MPa));
   CHECK_NOTHROW(choice.validate());
 }

@@ -18,11 +18,6 @@ Line upright(double x) { return {{x, 0.5}, {0, 1}}; }
 // Without the sliver rule.
 constexpr StraightCut permissive{.minimum_area = 0, .maximum_aspect = 1e6};
 
-struct WithoutRules {
-  std::optional<CutRings> operator()(Ring, const Line&, double) const { return std::nullopt; }
-};
-static_assert(!Splitter<WithoutRules>);
-
 }  // namespace
 
 TEST_CASE("a unit square cut at x = 0.3") {

@@ -6,22 +6,6 @@
 
 using namespace riprap;
 
-namespace {
-
-// A rule of one's own: break at the first failed element.
-struct AnyFailed {
-  bool operator()(const FailureTally& tally) const { return tally.failed > 0; }
-  void validate() const {}
-};
-struct WithoutRules {
-  bool operator()(const FailureTally&) const { return true; }
-};
-
-static_assert(BreakageTrigger<AnyFailed>);
-static_assert(!BreakageTrigger<WithoutRules>);
-
-}  // namespace
-
 TEST_CASE("a particle breaks when Rat reaches RatF") {
   const FailedElementRatio trigger;  // 0.4
   CHECK(trigger({.elements = 100, .failed = 40}));

@@ -1,48 +1,35 @@
 #include <doctest/doctest.h>
 
 #include <riprap/contact/broad_phase/concepts.hpp>
+#include <support/archetypes.hpp>
 
 using namespace riprap;
+namespace archetype = riprap::test::archetype;
 
 namespace {
 
-// The least a broad phase may be.
-struct Minimal {
-  double relative_skin = 0;
-  template <class Visit>
-  void visit_pairs(std::span<const Box>, Visit&&) const {}
-  void validate() const {}
+struct WithoutSkin : archetype::BroadPhase {
+  void relative_skin() const {}
+};
+struct WithoutPairs : archetype::BroadPhase {
+  void visit_pairs() const {}
+};
+struct ChangesItself : archetype::BroadPhase {
+  void visit_pairs(std::span<const Box>, auto&&) {}
+};
+struct ChangesTheBoxes : archetype::BroadPhase {
+  void visit_pairs(std::span<Box>, auto&&) const {}
+};
+struct KnowsItsVisitor : archetype::BroadPhase {
+  void visit_pairs(std::span<const Box>, void (*)(BodyIndex, BodyIndex)) const {}
 };
 
-struct WithoutRules {
-  double relative_skin = 0;
-  template <class Visit>
-  void visit_pairs(std::span<const Box>, Visit&&) const {}
-};
-
-struct WithoutSkin {
-  template <class Visit>
-  void visit_pairs(std::span<const Box>, Visit&&) const {}
-  void validate() const {}
-};
-
-struct WithoutPairs {
-  double relative_skin = 0;
-  void validate() const {}
-};
-
-struct ChangesItself {
-  double relative_skin = 0;
-  template <class Visit>
-  void visit_pairs(std::span<const Box>, Visit&&) {}
-  void validate() const {}
-};
-
-static_assert(BroadPhase<Minimal>);
-static_assert(!BroadPhase<WithoutRules>);
+static_assert(BroadPhase<archetype::BroadPhase>);
 static_assert(!BroadPhase<WithoutSkin>);
 static_assert(!BroadPhase<WithoutPairs>);
 static_assert(!BroadPhase<ChangesItself>);
+static_assert(!BroadPhase<ChangesTheBoxes>);
+static_assert(!BroadPhase<KnowsItsVisitor>);
 
 }  // namespace
 

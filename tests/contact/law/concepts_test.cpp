@@ -1,60 +1,53 @@
 #include <doctest/doctest.h>
 
 #include <riprap/contact/law/concepts.hpp>
+#include <support/archetypes.hpp>
 
 using namespace riprap;
+namespace archetype = riprap::test::archetype;
 
 namespace {
 
-// The least a contact law may be.
-struct Minimal {
-  struct History {};
+class WithoutHistory : public archetype::ContactLaw {
+  using archetype::ContactLaw::History;  // private
+};
+struct HistoryThatMustBeMade : archetype::ContactLaw {
+  struct History {
+    explicit History(int) {}
+  };
   ContactForce operator()(const ContactGeometry&, const ContactMotion&, History&) const {
     return {};
   }
   double stored_energy(const ContactGeometry&, const History&) const { return 0; }
-  double peak_stiffness() const { return 1; }
-  void validate() const {}
 };
-
-struct WithoutHistory {
-  ContactForce operator()(const ContactGeometry&, const ContactMotion&, int&) const { return {}; }
-  double stored_energy(const ContactGeometry&, int) const { return 0; }
-  double peak_stiffness() const { return 1; }
-  void validate() const {}
+struct NotConst : archetype::ContactLaw {
+  ContactForce operator()(const ContactGeometry&, const ContactMotion&, History&) { return {}; }
 };
-
-struct WithoutEnergy {
-  struct History {};
-  ContactForce operator()(const ContactGeometry&, const ContactMotion&, History&) const {
-    return {};
-  }
-  double peak_stiffness() const { return 1; }
-  void validate() const {}
-};
-
-struct WithoutStiffness {
-  struct History {};
-  ContactForce operator()(const ContactGeometry&, const ContactMotion&, History&) const {
-    return {};
-  }
-  double stored_energy(const ContactGeometry&, const History&) const { return 0; }
-  void validate() const {}
-};
-
-struct BareNumberForForce {
-  struct History {};
+struct BareNumberForForce : archetype::ContactLaw {
   double operator()(const ContactGeometry&, const ContactMotion&, History&) const { return 0; }
-  double stored_energy(const ContactGeometry&, const History&) const { return 0; }
-  double peak_stiffness() const { return 1; }
-  void validate() const {}
+};
+struct ChangesTheGeometry : archetype::ContactLaw {
+  ContactForce operator()(ContactGeometry&, const ContactMotion&, History&) const { return {}; }
+};
+struct WithoutEnergy : archetype::ContactLaw {
+  void stored_energy() const {}
+};
+struct EnergyChangesTheHistory : archetype::ContactLaw {
+  double stored_energy(const ContactGeometry&, History&) const { return 0; }
+};
+struct WithoutStiffness : archetype::ContactLaw {
+  void peak_stiffness() const {}
 };
 
-static_assert(ContactLaw<Minimal>);
+static_assert(ContactLaw<archetype::ContactLaw>);
 static_assert(!ContactLaw<WithoutHistory>);
-static_assert(!ContactLaw<WithoutEnergy>);
-static_assert(!ContactLaw<WithoutStiffness>);
+static_assert(!ContactLaw<HistoryThatMustBeMade>);
+static_assert(!ContactLaw<NotConst>);
 static_assert(!ContactLaw<BareNumberForForce>);
+static_assert(!ContactLaw<ChangesTheGeometry>);
+static_assert(!ContactLaw<WithoutEnergy>);
+static_assert(!ContactLaw<EnergyChangesTheHistory>);
+static_assert(!ContactLaw<WithoutStiffness>);
 
 }  // namespace
 

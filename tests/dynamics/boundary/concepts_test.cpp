@@ -1,19 +1,48 @@
 #include <doctest/doctest.h>
 
 #include <riprap/dynamics/boundary/concepts.hpp>
+#include <support/archetypes.hpp>
 
 using namespace riprap;
+namespace archetype = riprap::test::archetype;
 
 namespace {
 
-struct DrivesNothing {};
-
-struct DrivesOneBody {
-  void drive(Body&, double) const {}
+struct WithoutDrive : archetype::Boundary {
+  void drive() {}
+};
+struct DrivesOneBody : archetype::Boundary {
+  void drive(Body&, double) {}
+};
+struct ChangesTheStep : archetype::Boundary {
+  void drive(std::vector<Body>&, double&) {}
 };
 
-static_assert(!Boundary<DrivesNothing>);
+struct WithoutRate : archetype::SampleBoundary {
+  void set_rate() {}
+};
+struct RateOfOneAxis : archetype::SampleBoundary {
+  void set_rate(double) {}
+};
+struct WithoutRegion : archetype::SampleBoundary {
+  void region() const {}
+};
+struct RegionNotConst : archetype::SampleBoundary {
+  archetype::Region region(const Particles& particles) {
+    return archetype::SampleBoundary::region(particles);
+  }
+};
+
+static_assert(SampleBoundary<archetype::SampleBoundary>);
+static_assert(!SampleBoundary<archetype::Boundary>);
+static_assert(!SampleBoundary<WithoutRate>);
+static_assert(!SampleBoundary<RateOfOneAxis>);
+static_assert(!SampleBoundary<WithoutRegion>);
+static_assert(!SampleBoundary<RegionNotConst>);
+static_assert(Boundary<archetype::Boundary>);
+static_assert(!Boundary<WithoutDrive>);
 static_assert(!Boundary<DrivesOneBody>);
+static_assert(!Boundary<ChangesTheStep>);
 
 }  // namespace
 

@@ -1,38 +1,37 @@
 #include <doctest/doctest.h>
 
 #include <riprap/dynamics/damping/concepts.hpp>
+#include <support/archetypes.hpp>
 
 using namespace riprap;
+namespace archetype = riprap::test::archetype;
 
 namespace {
 
-struct WithoutRules {
-  Wrench operator()(const Body&, const Wrench&) const { return {}; }
+struct NotCallable : archetype::Damping {
+  void operator()() const {}
 };
-
-struct ForceOnly {
+struct NotConst : archetype::Damping {
+  Wrench operator()(const Body&, const Wrench&) { return {}; }
+};
+struct ForceOnly : archetype::Damping {
   Vec2 operator()(const Body&, const Wrench&) const { return {0, 0}; }
-  void validate() const {}
 };
-
-struct ChangesTheBody {
+struct ChangesTheBody : archetype::Damping {
   Wrench operator()(Body&, const Wrench&) const { return {}; }
-  void validate() const {}
 };
 
-static_assert(!Damping<WithoutRules>);
+static_assert(Damping<archetype::Damping>);
+static_assert(!Damping<NotCallable>);
+static_assert(!Damping<NotConst>);
 static_assert(!Damping<ForceOnly>);
 static_assert(!Damping<ChangesTheBody>);
 
 }  // namespace
 
-TEST_CASE("a viscous damping of one's own is a damping") {
-  struct Viscous {
-    double coefficient = 3;
-    Wrench operator()(const Body& body, const Wrench&) const {
-      return {-coefficient * body.velocity, -coefficient * body.angular_velocity};
-    }
-    void validate() const {}
+TEST_CASE("a lambda is a damping") {
+  const auto viscous = [rate = 3.0](const Body& body, const Wrench&) {
+    return Wrench{-rate * body.velocity, -rate * body.angular_velocity};
   };
-  CHECK(Damping<Viscous>);
+  CHECK(Damping<decltype(viscous)>);
 }

@@ -2,43 +2,47 @@
 #include <doctest/doctest.h>
 
 #include <riprap/dynamics/integrator/concepts.hpp>
+#include <support/archetypes.hpp>
 
 using namespace riprap;
+namespace archetype = riprap::test::archetype;
 
 namespace {
 
-// The least an integrator may be.
-struct Minimal {
-  static constexpr int order = 1;
-  static constexpr bool needs_finish = true;
-  void advance(Body&, const Wrench&, double) const {}
-  void finish(Body&, const Wrench&, double) const {}
+struct WithoutOrder : archetype::Integrator {
+  void order() const {}
 };
-
-struct WithoutOrder {
-  static constexpr bool needs_finish = false;
-  void advance(Body&, const Wrench&, double) const {}
-  void finish(Body&, const Wrench&, double) const {}
+struct OrderOfAnObject : archetype::Integrator {
+  int order = 1;
 };
-
-struct WithoutFinish {
-  static constexpr int order = 1;
-  static constexpr bool needs_finish = true;
-  void advance(Body&, const Wrench&, double) const {}
+struct WithoutNeedsFinish : archetype::Integrator {
+  void needs_finish() const {}
 };
-
-struct Remembers {
-  static constexpr int order = 1;
-  static constexpr bool needs_finish = false;
+struct NeedsFinishIsNoConstant : archetype::Integrator {
+  static inline bool needs_finish = true;
+};
+struct WithoutAdvance : archetype::Integrator {
+  void advance() const {}
+};
+struct WithoutFinish : archetype::Integrator {
+  void finish() const {}
+};
+struct Remembers : archetype::Integrator {
   void advance(Body&, const Wrench&, double) {}
-  void finish(Body&, const Wrench&, double) {}
+};
+struct ChangesTheWrench : archetype::Integrator {
+  void advance(Body&, Wrench&, double) const {}
 };
 
-static_assert(Integrator<Minimal>);
-static_assert(!Integrator<WithoutOrder> && !WithoutOrder::needs_finish);
-static_assert(!Integrator<WithoutFinish> && WithoutFinish::order == 1 &&
-              WithoutFinish::needs_finish);
-static_assert(!Integrator<Remembers> && Remembers::order == 1 && !Remembers::needs_finish);
+static_assert(Integrator<archetype::Integrator>);
+static_assert(!Integrator<WithoutOrder>);
+static_assert(!Integrator<OrderOfAnObject>);
+static_assert(!Integrator<WithoutNeedsFinish>);
+static_assert(!Integrator<NeedsFinishIsNoConstant>);
+static_assert(!Integrator<WithoutAdvance>);
+static_assert(!Integrator<WithoutFinish>);
+static_assert(!Integrator<Remembers>);
+static_assert(!Integrator<ChangesTheWrench>);
 
 Body moving_body() {
   Body body;

@@ -7,24 +7,57 @@
 #include <limits>
 #include <numbers>
 
+#include <riprap/core/policy.hpp>
+
 namespace riprap {
+
+namespace clauses {
+
+/// `criterion.major_stress_at_failure(minor)` [Pa]: sigma_1f for a given sigma_3; must rise at
+/// least as fast as sigma_3 does. Safety factor, mode and friction angle all derive from it.
+template <class C>
+concept FailureCriterionCurve = requires(const C& criterion, const double minor) {
+  { criterion.major_stress_at_failure(minor) } -> std::convertible_to<double>;
+};
+
+/// `criterion.tensile_strength()` [Pa], positive: an element fails in tension where
+/// sigma_3 <= -tensile_strength. Asked for because the curve need not end in its own apex.
+template <class C>
+concept FailureCriterionTension = requires(const C& criterion) {
+  { criterion.tensile_strength() } -> std::convertible_to<double>;
+};
+
+/// Optional: `criterion.friction_angle(minor)` [rad]; else it follows from the slope of the curve.
+/// One that is not const would be passed over in silence.
+template <class C>
+concept FailureCriterionAngle = !requires(C& criterion, double minor) {
+  criterion.friction_angle(minor);
+} || requires(const C& criterion, const double minor) {
+  { criterion.friction_angle(minor) } -> std::convertible_to<double>;
+};
+
+}  // namespace clauses
 
 /// A `FailureCriterion` is a curve in the plane of the principal stresses, compression positive.
 ///
-/// - `criterion.major_stress_at_failure(minor)` [Pa]: sigma_1f for a given sigma_3; must rise at
-///   least as fast as sigma_3 does.
-/// - `criterion.tensile_strength()` [Pa], positive: an element fails in tension where
-///   sigma_3 <= -tensile_strength.
-///
-/// Optional:
-/// - `criterion.friction_angle(minor)` [rad]: else it follows from the slope of the curve.
-/// - `criterion.validate()`: throws InvalidInput for parameters that break a rule.
-/// - `C::never_fails == true`: the stress analysis is left out of the program.
+/// Optional: `C::never_fails == true`, and the stress analysis is left out of the program.
 template <class C>
-concept FailureCriterion = requires(const C& criterion, double minor) {
-  { criterion.major_stress_at_failure(minor) } -> std::convertible_to<double>;
-  { criterion.tensile_strength() } -> std::convertible_to<double>;
-};
+concept FailureCriterion = Policy<C> && clauses::FailureCriterionCurve<C> &&
+                           clauses::FailureCriterionTension<C> && clauses::FailureCriterionAngle<C>;
+
+template <class C>
+consteval bool check_criterion() {
+  check_policy<C>();
+  static_assert(
+      clauses::FailureCriterionCurve<C>,
+      "riprap: a FailureCriterion must have double major_stress_at_failure(double minor) const");
+  static_assert(clauses::FailureCriterionTension<C>,
+                "riprap: a FailureCriterion must have double tensile_strength() const");
+  static_assert(clauses::FailureCriterionAngle<C>,
+                "riprap: friction_angle of a FailureCriterion must be double friction_angle(double "
+                "minor) const");
+  return FailureCriterion<C>;
+}
 
 /// True for a criterion that says of itself that nothing ever fails by it.
 template <class C>

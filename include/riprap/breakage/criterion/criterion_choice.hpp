@@ -25,11 +25,7 @@ struct CriterionChoice {
     return std::visit([minor](const auto& c) { return riprap::friction_angle(c, minor); }, chosen);
   }
   void validate() const {
-    std::visit(
-        [](const auto& c) {
-          if constexpr (requires { c.validate(); }) c.validate();
-        },
-        chosen);
+    std::visit([](const auto& c) { riprap::validate(c); }, chosen);
   }
 };
 

@@ -4,15 +4,33 @@
 
 #include <concepts>
 
+#include <riprap/core/policy.hpp>
 #include <riprap/particle/body.hpp>
 
 namespace riprap {
 
-/// An `Inheritance` gives a piece its velocities. The piece is already in place, with its mass.
-///
-/// - `inherit(parent, piece)`: sets `piece.velocity` and `piece.angular_velocity`.
+namespace clauses {
+
+/// `inherit(parent, piece)` sets `piece.velocity` and `piece.angular_velocity`. The piece is the
+/// body itself, already in place, with its mass, for its velocities depend on both. Const, for one
+/// inheritance serves all pieces.
 template <class I>
-concept Inheritance =
+concept InheritanceCall =
     requires(const I& inherit, const Body& parent, Body& piece) { inherit(parent, piece); };
+
+}  // namespace clauses
+
+/// An `Inheritance` gives a piece its velocities.
+template <class I>
+concept Inheritance = Policy<I> && clauses::InheritanceCall<I>;
+
+template <class I>
+consteval bool check_inheritance() {
+  check_policy<I>();
+  static_assert(
+      clauses::InheritanceCall<I>,
+      "riprap: an Inheritance must have void operator()(const Body& parent, Body& piece) const");
+  return Inheritance<I>;
+}
 
 }  // namespace riprap

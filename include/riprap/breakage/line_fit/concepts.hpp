@@ -7,6 +7,7 @@
 #include <span>
 
 #include <riprap/breakage/element_failure.hpp>
+#include <riprap/core/policy.hpp>
 #include <riprap/geometry/cut.hpp>
 
 namespace riprap {
@@ -17,16 +18,30 @@ struct WeightedPoint {
   double weight = 1;
 };
 
-/// A `LineFit` draws one straight line through the failed elements.
-///
-/// - `fit(points, planes)` -> the line, or nothing where the points determine none. `points` are
-/// the
-///   failed elements only, in laboratory axes; `planes` are the failure planes of the first failed
-///   element.
+namespace clauses {
+
+/// `fit(points, planes)` -> the line, or nothing where the points determine none. `points` are the
+/// failed elements only, in laboratory axes; `planes` are the failure planes of the first failed
+/// element, by which a fit may choose between lines. Const, for one fit serves all particles.
 template <class F>
-concept LineFit =
-    requires(const F& fit, std::span<const WeightedPoint> points, const FailurePlanes& planes) {
-      { fit(points, planes) } -> std::convertible_to<std::optional<Line>>;
-    };
+concept LineFitCall = requires(const F& fit, const std::span<const WeightedPoint> points,
+                               const FailurePlanes& planes) {
+  { fit(points, planes) } -> std::convertible_to<std::optional<Line>>;
+};
+
+}  // namespace clauses
+
+/// A `LineFit` draws one straight line through the failed elements.
+template <class F>
+concept LineFit = Policy<F> && clauses::LineFitCall<F>;
+
+template <class F>
+consteval bool check_line_fit() {
+  check_policy<F>();
+  static_assert(clauses::LineFitCall<F>,
+                "riprap: a LineFit must have std::optional<Line> operator()(std::span<const "
+                "WeightedPoint>, const FailurePlanes&) const");
+  return LineFit<F>;
+}
 
 }  // namespace riprap

@@ -9,7 +9,6 @@ namespace riprap {
 /// Brittle to the last: strength is that of the most loaded element, and so depends on the mesh.
 struct AnyElement {
   [[nodiscard]] bool operator()(const FailureTally& tally) const { return tally.failed > 0; }
-  void validate() const {}
 };
 
 static_assert(BreakageTrigger<AnyElement>);

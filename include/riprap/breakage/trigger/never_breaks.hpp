@@ -10,7 +10,6 @@ namespace riprap {
 /// Always false.
 struct NeverBreaks {
   [[nodiscard]] bool operator()(const FailureTally&) const { return false; }
-  void validate() const {}
 };
 
 static_assert(BreakageTrigger<NeverBreaks>);

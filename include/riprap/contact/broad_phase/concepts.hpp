@@ -6,6 +6,7 @@
 #include <span>
 
 #include <riprap/core/ids.hpp>
+#include <riprap/core/policy.hpp>
 #include <riprap/core/vec2.hpp>
 
 namespace riprap {
@@ -19,22 +20,45 @@ struct Box {
     return low.x() <= o.high.x() && o.low.x() <= high.x() && low.y() <= o.high.y() &&
            o.low.y() <= high.y();
   }
+  [[nodiscard]] Box moved(const Vec2& by) const { return {low + by, high + by}; }
 };
 
-/// A `BroadPhase` finds the pairs whose boxes meet.
-///
-/// - `broad.relative_skin` [-]: boxes are grown by this share of the mean diameter, so that the
-///   pairs stay valid until some vertex has moved half as far; asked for because only the model
-///   knows what a rebuild costs.
-/// - `broad.visit_pairs(boxes, visit)`: calls `visit(i, j)` once for every pair i < j of boxes that
-///   meet, in an order that depends on the boxes only.
-/// - `broad.validate()`: throws InvalidInput for parameters that break a rule.
+namespace clauses {
+
+/// Stands for whatever is called for the pairs.
+struct PairVisitor {
+  void operator()(BodyIndex, BodyIndex) const {}
+};
+
+/// `broad.relative_skin` [-]: boxes are grown by this share of the mean diameter, so that the pairs
+/// stay valid until some vertex has moved half as far; asked for because only the model knows what
+/// a rebuild costs.
 template <class B>
-concept BroadPhase =
-    requires(const B& broad, std::span<const Box> boxes, void (*visit)(BodyIndex, BodyIndex)) {
-      { broad.relative_skin } -> std::convertible_to<double>;
-      broad.visit_pairs(boxes, visit);
-      broad.validate();
-    };
+concept BroadPhaseSkin = requires(const B& broad) {
+  { broad.relative_skin } -> std::convertible_to<double>;
+};
+
+/// `broad.visit_pairs(boxes, visit)` calls `visit(i, j)` once for every pair i < j of boxes that
+/// meet, in an order that depends on the boxes only. Const: it must not depend on earlier calls.
+template <class B>
+concept BroadPhaseVisit = requires(const B& broad, const std::span<const Box> boxes) {
+  broad.visit_pairs(boxes, PairVisitor{});
+};
+
+}  // namespace clauses
+
+/// A `BroadPhase` finds the pairs whose boxes meet.
+template <class B>
+concept BroadPhase = Policy<B> && clauses::BroadPhaseSkin<B> && clauses::BroadPhaseVisit<B>;
+
+template <class B>
+consteval bool check_broad_phase() {
+  check_policy<B>();
+  static_assert(clauses::BroadPhaseSkin<B>, "riprap: a BroadPhase must have double relative_skin");
+  static_assert(clauses::BroadPhaseVisit<B>,
+                "riprap: a BroadPhase must have template <class Visit> void "
+                "visit_pairs(std::span<const Box>, Visit&&) const");
+  return BroadPhase<B>;
+}
 
 }  // namespace riprap

@@ -5,6 +5,7 @@
 #include <concepts>
 
 #include <riprap/contact/contact_geometry.hpp>
+#include <riprap/core/policy.hpp>
 
 namespace riprap {
 
@@ -24,24 +25,64 @@ struct ContactForce {
   double damped = 0;      ///< energy lost in dashpots during the step [J], >= 0
 };
 
+namespace clauses {
+
+/// `L::History`: what a contact carries from step to step. Every new contact starts with
+/// `History{}`, and contacts are moved when they are sorted.
+template <class L>
+concept ContactLawHistory =
+    requires { typename L::History; } && std::semiregular<typename L::History>;
+
+/// `law(geometry, motion, history)` -> ContactForce; updates the history. Evaluated again with
+/// `time_step == 0` it must give the same force and lose nothing. Const: what is remembered belongs
+/// to the contact.
+template <class L>
+concept ContactLawCall = requires(const L& law, const ContactGeometry& geometry,
+                                  const ContactMotion& motion, typename L::History& history) {
+  { law(geometry, motion, history) } -> std::convertible_to<ContactForce>;
+};
+
+/// `law.stored_energy(geometry, history)` [J]: what the contact can give back. Without it no energy
+/// balance could be drawn up.
+template <class L>
+concept ContactLawEnergy =
+    requires(const L& law, const ContactGeometry& geometry, const typename L::History& history) {
+      { law.stored_energy(geometry, history) } -> std::convertible_to<double>;
+    };
+
+/// `law.peak_stiffness()` [N/m]: largest slope of force against depth; sets the time step.
+template <class L>
+concept ContactLawStiffness = requires(const L& law) {
+  { law.peak_stiffness() } -> std::convertible_to<double>;
+};
+
+}  // namespace clauses
+
 /// A `ContactLaw` computes contact forces.
 ///
-/// - `L::History`: what a contact carries from step to step; a new contact starts with `History{}`.
-/// - `law(geometry, motion, history)` -> ContactForce; updates the history. Evaluated again with
-///   `time_step == 0` it must give the same force and lose nothing.
-/// - `law.stored_energy(geometry, history)` [J]: what the contact can give back.
-/// - `law.peak_stiffness()` [N/m]: largest slope of force against depth; sets the time step.
-/// - `law.validate()`: throws InvalidInput for parameters that break a rule.
-///
-/// A law that has a member `friction` lets experiments switch friction off while they compact.
+/// Optional: a member `friction` [-], which experiments set to 0 while they compact.
 template <class L>
-concept ContactLaw = std::default_initializable<typename L::History> &&
-                     requires(const L& law, const ContactGeometry& geometry,
-                              const ContactMotion& motion, typename L::History& history) {
-                       { law(geometry, motion, history) } -> std::same_as<ContactForce>;
-                       { law.stored_energy(geometry, history) } -> std::convertible_to<double>;
-                       { law.peak_stiffness() } -> std::convertible_to<double>;
-                       law.validate();
-                     };
+concept ContactLaw = Policy<L> && clauses::ContactLawHistory<L> && clauses::ContactLawCall<L> &&
+                     clauses::ContactLawEnergy<L> && clauses::ContactLawStiffness<L>;
+
+template <class L>
+consteval bool check_contact_law() {
+  check_policy<L>();
+  static_assert(
+      clauses::ContactLawHistory<L>,
+      "riprap: a ContactLaw must have a type History that can be default-constructed and copied");
+  if constexpr (clauses::ContactLawHistory<L>) {  // the others cannot be asked without it
+    static_assert(clauses::ContactLawCall<L>,
+                  "riprap: a ContactLaw must have ContactForce operator()(const ContactGeometry&, "
+                  "const ContactMotion&, History&) const");
+    static_assert(
+        clauses::ContactLawEnergy<L>,
+        "riprap: a ContactLaw must have double stored_energy(const ContactGeometry&, const "
+        "History&) const");
+    static_assert(clauses::ContactLawStiffness<L>,
+                  "riprap: a ContactLaw must have double peak_stiffness() const");
+  }
+  return ContactLaw<L>;
+}
 
 }  // namespace riprap

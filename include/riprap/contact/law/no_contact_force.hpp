@@ -17,7 +17,6 @@ struct NoContactForce {
   [[nodiscard]] double stored_energy(const ContactGeometry&, const History&) const { return 0; }
   /// Sets the time step where nothing else does [N/m].
   [[nodiscard]] double peak_stiffness() const { return 2e7; }
-  void validate() const {}
 };
 
 static_assert(ContactLaw<NoContactForce>);

@@ -6,22 +6,47 @@
 #include <optional>
 
 #include <riprap/contact/contact_geometry.hpp>
+#include <riprap/core/policy.hpp>
 #include <riprap/core/vec2.hpp>
 
 namespace riprap {
 
-/// A `NarrowPhase` turns two placed rings into contact geometry.
-///
-/// - `N::Memory`: what a pair remembers from step to step (a separating edge, say); it may speed
-///   the answer up and must never change it.
-/// - `narrow(a, b, memory)` -> the contact, or nothing where the rings keep apart. Swapping the
-///   rings flips the normal and changes nothing else; moving both rigidly moves the answer.
+namespace clauses {
+
+/// `N::Memory`: what a pair remembers from step to step (a separating edge, say); it may speed the
+/// answer up and must never change it. Every new pair starts with `Memory{}`, and pairs are moved
+/// when they are sorted.
 template <class N>
-concept NarrowPhase = std::default_initializable<typename N::Memory> &&
-                      requires(const N& narrow, Ring a, Ring b, typename N::Memory& memory) {
-                        {
-                          narrow(a, b, memory)
-                        } -> std::convertible_to<std::optional<ContactGeometry>>;
-                      };
+concept NarrowPhaseMemory =
+    requires { typename N::Memory; } && std::semiregular<typename N::Memory>;
+
+/// `narrow(a, b, memory)` -> the contact, or nothing where the rings keep apart. Swapping the rings
+/// flips the normal and changes nothing else; moving both rigidly moves the answer. Const: what is
+/// remembered belongs to the pair.
+template <class N>
+concept NarrowPhaseCall =
+    requires(const N& narrow, const Ring a, const Ring b, typename N::Memory& memory) {
+      { narrow(a, b, memory) } -> std::convertible_to<std::optional<ContactGeometry>>;
+    };
+
+}  // namespace clauses
+
+/// A `NarrowPhase` turns two placed rings into contact geometry.
+template <class N>
+concept NarrowPhase = Policy<N> && clauses::NarrowPhaseMemory<N> && clauses::NarrowPhaseCall<N>;
+
+template <class N>
+consteval bool check_narrow_phase() {
+  check_policy<N>();
+  static_assert(
+      clauses::NarrowPhaseMemory<N>,
+      "riprap: a NarrowPhase must have a type Memory that can be default-constructed and copied");
+  if constexpr (clauses::NarrowPhaseMemory<N>) {  // the others cannot be asked without it
+    static_assert(clauses::NarrowPhaseCall<N>,
+                  "riprap: a NarrowPhase must have std::optional<ContactGeometry> operator()(Ring, "
+                  "Ring, Memory&) const");
+  }
+  return NarrowPhase<N>;
+}
 
 }  // namespace riprap

@@ -5,12 +5,14 @@
 #include <vector>
 
 #include <riprap/core/vec2.hpp>
+#include <riprap/dynamics/boundary/boundary_polygon.hpp>
 #include <riprap/dynamics/boundary/concepts.hpp>
 
 namespace riprap {
 
 /// Moves every body of Motion::strain_field with v = -rate x about the origin, without rotation (a
-/// freely turning ring acts as a roller bearing and lowers the peak strength).
+/// freely turning ring acts as a roller bearing and lowers the peak strength). The sample is what
+/// the polygon through their centroids encloses.
 class StrainField {
  public:
   /// Shortening rates along axes 1 and 2 [1/s], positive in compression.
@@ -22,10 +24,14 @@ class StrainField {
       if (body.motion == Motion::strain_field) body.velocity = -rate_.cwiseProduct(body.position);
   }
 
+  [[nodiscard]] BoundaryPolygon region(const Particles& particles) const {
+    return BoundaryPolygon(particles);
+  }
+
  private:
   Vec2 rate_{0, 0};
 };
 
-static_assert(Boundary<StrainField>);
+static_assert(SampleBoundary<StrainField>);
 
 }  // namespace riprap

@@ -4,19 +4,33 @@
 
 #include <concepts>
 
+#include <riprap/core/policy.hpp>
 #include <riprap/particle/body.hpp>
 
 namespace riprap {
 
+namespace clauses {
+
+/// `damping(body, applied)` -> Wrench. Given, not applied to the body, so that its work can be
+/// booked; const, for one damping serves all bodies.
+template <class D>
+concept DampingCall = requires(const D& damping, const Body& body, const Wrench& applied) {
+  { damping(body, applied) } -> std::convertible_to<Wrench>;
+};
+
+}  // namespace clauses
+
 /// A `Damping` gives the wrench to be added to the one applied to a free body. The simulation books
 /// its work.
-///
-/// - `damping(body, applied)` -> Wrench
-/// - `damping.validate()`: throws InvalidInput for parameters that break a rule.
 template <class D>
-concept Damping = requires(const D& damping, const Body& body, const Wrench& applied) {
-  { damping(body, applied) } -> std::same_as<Wrench>;
-  damping.validate();
-};
+concept Damping = Policy<D> && clauses::DampingCall<D>;
+
+template <class D>
+consteval bool check_damping() {
+  check_policy<D>();
+  static_assert(clauses::DampingCall<D>,
+                "riprap: a Damping must have Wrench operator()(const Body&, const Wrench&) const");
+  return Damping<D>;
+}
 
 }  // namespace riprap

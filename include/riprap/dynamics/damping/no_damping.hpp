@@ -9,7 +9,6 @@ namespace riprap {
 /// Adds nothing.
 struct NoDamping {
   [[nodiscard]] Wrench operator()(const Body&, const Wrench&) const { return {}; }
-  void validate() const {}
 };
 
 static_assert(Damping<NoDamping>);

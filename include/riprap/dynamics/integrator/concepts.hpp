@@ -2,29 +2,72 @@
 /// @file
 /// The role of the integrator: from force to motion over one time step.
 
-#include <concepts>
+#include <type_traits>
 
+#include <riprap/core/policy.hpp>
 #include <riprap/particle/body.hpp>
 
 namespace riprap {
 
-/// An `Integrator` advances one free body. A step calls `advance` with the wrench at the present
-/// pose, then forces are evaluated anew, then `finish` is called with the new wrench (left out
-/// where `needs_finish` is false, so that a one-kick scheme pays nothing).
-///
-/// - `I::order`: global order of accuracy in the time step; tests measure it.
-/// - `I::needs_finish`: whether `finish` has work to do.
-/// - `integrator.advance(body, wrench, time_step)`, `integrator.finish(body, wrench, time_step)`:
-///   must use `mass_scaling * mass` and `mass_scaling * inertia`. Kinetic energy must change by
-///   exactly the work of the wrench over the mean of the velocities before and after.
+namespace clauses {
+
+/// `I::order`: global order of accuracy in the time step; a constant, which tests measure.
 template <class I>
-concept Integrator =
-    requires(const I& integrator, Body& body, const Wrench& wrench, double time_step) {
-      { I::order } -> std::convertible_to<int>;
-      { I::needs_finish } -> std::convertible_to<bool>;
+concept IntegratorOrder = requires {
+  *&I::order;  // of the class
+  typename std::integral_constant<int, int{I::order}>;
+};
+
+/// `I::needs_finish`: whether `finish` has work to do; a constant, so that a one-kick scheme pays
+/// nothing for the second.
+template <class I>
+concept IntegratorNeedsFinish = requires {
+  *&I::needs_finish;
+  typename std::bool_constant<bool{I::needs_finish}>;
+};
+
+/// `integrator.advance(body, wrench, time_step)`: from the wrench [N, N m] at the present pose to
+/// the next pose. Const, for one integrator serves all bodies.
+template <class I>
+concept IntegratorAdvance =
+    requires(const I& integrator, Body& body, const Wrench& wrench, const double time_step) {
       integrator.advance(body, wrench, time_step);
+    };
+
+/// `integrator.finish(body, wrench, time_step)`: the second kick, with the wrench at the new pose.
+template <class I>
+concept IntegratorFinish =
+    requires(const I& integrator, Body& body, const Wrench& wrench, const double time_step) {
       integrator.finish(body, wrench, time_step);
     };
+
+}  // namespace clauses
+
+/// An `Integrator` advances one free body. A step calls `advance` with the wrench at the present
+/// pose, then forces are evaluated anew, then `finish` is called with the new wrench (left out
+/// where `needs_finish` is false). Both must use `mass_scaling * mass` and `mass_scaling *
+/// inertia`. Kinetic energy must change by exactly the work of the wrench over the mean of the
+/// velocities before and after.
+template <class I>
+concept Integrator =
+    Policy<I> && clauses::IntegratorOrder<I> && clauses::IntegratorNeedsFinish<I> &&
+    clauses::IntegratorAdvance<I> && clauses::IntegratorFinish<I>;
+
+template <class I>
+consteval bool check_integrator() {
+  check_policy<I>();
+  static_assert(clauses::IntegratorOrder<I>,
+                "riprap: an Integrator must have static constexpr int order");
+  static_assert(clauses::IntegratorNeedsFinish<I>,
+                "riprap: an Integrator must have static constexpr bool needs_finish");
+  static_assert(
+      clauses::IntegratorAdvance<I>,
+      "riprap: an Integrator must have void advance(Body&, const Wrench&, double time_step) const");
+  static_assert(
+      clauses::IntegratorFinish<I>,
+      "riprap: an Integrator must have void finish(Body&, const Wrench&, double time_step) const");
+  return Integrator<I>;
+}
 
 /// Moves a body at its present velocity: the drift of every scheme, and all that a driven body
 /// does.

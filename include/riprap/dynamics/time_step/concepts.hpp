@@ -4,20 +4,43 @@
 
 #include <concepts>
 
+#include <riprap/core/policy.hpp>
+
 namespace riprap {
 
-/// A `TimeStepRule` chooses the time step and how light a body may be in the equations of motion.
-///
-/// - `rule.time_step(mass, stiffness)` [s]: from the smallest intact particle's mass [kg] and the
-///   contact law's peak stiffness [N/m].
-/// - `rule.mass_scaling(mass, smallest)` [-], >= 1: factor on mass and inertia, in the equations of
-///   motion only, of a body of `mass` where `smallest` is the smallest intact particle's.
-/// - `rule.validate()`: throws InvalidInput for parameters that break a rule.
+namespace clauses {
+
+/// `rule.time_step(mass, stiffness)` [s]: from the smallest intact particle's mass [kg] and the
+/// contact law's peak stiffness [N/m], which together bound the highest frequency.
 template <class T>
-concept TimeStepRule = requires(const T& rule, double mass, double stiffness) {
+concept TimeStepRuleStep = requires(const T& rule, const double mass, const double stiffness) {
   { rule.time_step(mass, stiffness) } -> std::convertible_to<double>;
-  { rule.mass_scaling(mass, mass) } -> std::convertible_to<double>;
-  rule.validate();
 };
+
+/// `rule.mass_scaling(mass, smallest)` [-], >= 1: factor on mass and inertia, in the equations of
+/// motion only, of a piece of `mass` where `smallest` is the smallest intact particle's. Pieces are
+/// born lighter than what the step was chosen for; whoever chose it knows what to do about them.
+template <class T>
+concept TimeStepRuleScaling = requires(const T& rule, const double mass, const double smallest) {
+  { rule.mass_scaling(mass, smallest) } -> std::convertible_to<double>;
+};
+
+}  // namespace clauses
+
+/// A `TimeStepRule` chooses the time step and how light a body may be in the equations of motion.
+template <class T>
+concept TimeStepRule = Policy<T> && clauses::TimeStepRuleStep<T> && clauses::TimeStepRuleScaling<T>;
+
+template <class T>
+consteval bool check_time_step() {
+  check_policy<T>();
+  static_assert(
+      clauses::TimeStepRuleStep<T>,
+      "riprap: a TimeStepRule must have double time_step(double mass, double stiffness) const");
+  static_assert(
+      clauses::TimeStepRuleScaling<T>,
+      "riprap: a TimeStepRule must have double mass_scaling(double mass, double smallest) const");
+  return TimeStepRule<T>;
+}
 
 }  // namespace riprap

@@ -6,6 +6,7 @@
 #include <array>
 #include <concepts>
 
+#include <riprap/core/policy.hpp>
 #include <riprap/core/vec2.hpp>
 
 namespace riprap {
@@ -13,15 +14,37 @@ namespace riprap {
 /// Strain (e11, e22, 2 e12), tension positive, from the six nodal displacements (u1, v1, u2, ...).
 using StrainDisplacement = Eigen::Matrix<double, 3, 6>;
 
-/// An `Element` is a triangle with three nodes and one strain.
-///
-/// - `element.strain_displacement(corners)` -> StrainDisplacement [1/m], corners counter-clockwise
-/// - `element.mass(corners)` -> 3x3 matrix [m^2]: integrals of products of shape functions, which
-///   spread body forces over the nodes
+namespace clauses {
+
+/// `element.strain_displacement(corners)` -> StrainDisplacement [1/m], corners counter-clockwise.
+/// That type and no other: an expression of Eigen would refer to what is gone.
 template <class E>
-concept Element = requires(const E& element, const std::array<Vec2, 3>& corners) {
+concept ElementStrain = requires(const E& element, const std::array<Vec2, 3>& corners) {
   { element.strain_displacement(corners) } -> std::same_as<StrainDisplacement>;
+};
+
+/// `element.mass(corners)` -> 3x3 matrix [m^2]: integrals of products of shape functions, which
+/// spread body forces over the nodes: inertia balances the loads of a particle.
+template <class E>
+concept ElementMass = requires(const E& element, const std::array<Vec2, 3>& corners) {
   { element.mass(corners) } -> std::same_as<Eigen::Matrix3d>;
 };
+
+}  // namespace clauses
+
+/// An `Element` is a triangle with three nodes and one strain.
+template <class E>
+concept Element = Policy<E> && clauses::ElementStrain<E> && clauses::ElementMass<E>;
+
+template <class E>
+consteval bool check_element() {
+  check_policy<E>();
+  static_assert(clauses::ElementStrain<E>, "riprap: an Element must have StrainDisplacement "
+                                           "strain_displacement(const std::array<Vec2, 3>&) const");
+  static_assert(
+      clauses::ElementMass<E>,
+      "riprap: an Element must have Eigen::Matrix3d mass(const std::array<Vec2, 3>&) const");
+  return Element<E>;
+}
 
 }  // namespace riprap

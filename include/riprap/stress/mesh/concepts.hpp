@@ -4,19 +4,32 @@
 
 #include <concepts>
 
+#include <riprap/core/policy.hpp>
 #include <riprap/stress/mesh/mesh.hpp>
 
 namespace riprap {
 
-/// A `Mesher` cuts a convex polygon into triangles.
-///
-/// - `mesher(ring)` -> Mesh: `ring` in the body's own frame, centroid at the origin; the triangles
-///   cover it exactly, and boundary nodes divide each edge evenly.
-/// - `mesher.validate()`: throws InvalidInput for parameters that break a rule.
+namespace clauses {
+
+/// `mesher(ring)` -> Mesh. `ring` is in the body's own frame, centroid at the origin; the triangles
+/// cover it exactly, and boundary nodes divide each edge evenly. Const: equal rings get equal
+/// meshes, whatever was meshed before.
 template <class M>
-concept Mesher = requires(const M& mesher, Ring ring) {
-  { mesher(ring) } -> std::same_as<Mesh>;
-  mesher.validate();
+concept MesherCall = requires(const M& mesher, const Ring ring) {
+  { mesher(ring) } -> std::convertible_to<Mesh>;
 };
+
+}  // namespace clauses
+
+/// A `Mesher` cuts a convex polygon into triangles.
+template <class M>
+concept Mesher = Policy<M> && clauses::MesherCall<M>;
+
+template <class M>
+consteval bool check_mesher() {
+  check_policy<M>();
+  static_assert(clauses::MesherCall<M>, "riprap: a Mesher must have Mesh operator()(Ring) const");
+  return Mesher<M>;
+}
 
 }  // namespace riprap

@@ -5,19 +5,43 @@
 #include <Eigen/Core>
 #include <concepts>
 
+#include <riprap/core/policy.hpp>
 #include <riprap/core/stress2.hpp>
 #include <riprap/material/rock.hpp>
 
 namespace riprap {
 
-/// A `PlaneState` gives the elasticity matrix of the plane.
-///
-/// - `plane.elasticity(rock)` -> 3x3 matrix [Pa] from strain (e11, e22, 2 e12) to stress
-/// - `plane.out_of_plane_stress(rock, stress)` [Pa], with the sign of `stress`
+namespace clauses {
+
+/// `plane.elasticity(rock)` -> 3x3 matrix [Pa] from strain (e11, e22, 2 e12) to stress. That type
+/// and no other: an expression of Eigen would refer to what is gone.
 template <class P>
-concept PlaneState = requires(const P& plane, const Rock& rock, const Stress2& stress) {
+concept PlaneStateElasticity = requires(const P& plane, const Rock& rock) {
   { plane.elasticity(rock) } -> std::same_as<Eigen::Matrix3d>;
+};
+
+/// `plane.out_of_plane_stress(rock, stress)` [Pa], with the sign of `stress`: only the state knows
+/// the third normal stress.
+template <class P>
+concept PlaneStateStress = requires(const P& plane, const Rock& rock, const Stress2& stress) {
   { plane.out_of_plane_stress(rock, stress) } -> std::convertible_to<double>;
 };
+
+}  // namespace clauses
+
+/// A `PlaneState` gives the elasticity matrix of the plane.
+template <class P>
+concept PlaneState = Policy<P> && clauses::PlaneStateElasticity<P> && clauses::PlaneStateStress<P>;
+
+template <class P>
+consteval bool check_plane_state() {
+  check_policy<P>();
+  static_assert(clauses::PlaneStateElasticity<P>,
+                "riprap: a PlaneState must have Eigen::Matrix3d elasticity(const Rock&) const");
+  static_assert(clauses::PlaneStateStress<P>,
+                "riprap: a PlaneState must have double out_of_plane_stress(const Rock&, const "
+                "Stress2&) const");
+  return PlaneState<P>;
+}
 
 }  // namespace riprap

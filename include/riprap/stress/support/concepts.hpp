@@ -2,23 +2,46 @@
 /// @file
 /// The role of the support: what takes away the rigid modes of a loaded particle.
 
-#include <concepts>
 #include <span>
+#include <type_traits>
 
+#include <riprap/core/policy.hpp>
 #include <riprap/stress/boundary_load.hpp>
 #include <riprap/stress/influence_operator.hpp>
 
 namespace riprap {
 
-/// A `Support` turns the contact loads of one particle into the loads that stress it.
-///
-/// - `support.settle(loads, op)`: changes forces in place (supports become reactions).
-/// - `S::needs_flexibility`: whether the operator must know displacements of the boundary.
+namespace clauses {
+
+/// `S::needs_flexibility`: whether the operator must know displacements of the boundary, which cost
+/// memory; a constant, for it holds for all particles.
 template <class S>
-concept Support =
-    requires(const S& support, std::span<BoundaryLoad> loads, const InfluenceOperator& op) {
-      { S::needs_flexibility } -> std::convertible_to<bool>;
-      support.settle(loads, op);
-    };
+concept SupportFlexibility = requires {
+  *&S::needs_flexibility;  // of the class
+  typename std::bool_constant<bool{S::needs_flexibility}>;
+};
+
+/// `support.settle(loads, op)` changes forces in place: supports become reactions. Const, for one
+/// support serves all particles.
+template <class S>
+concept SupportSettle = requires(const S& support, const std::span<BoundaryLoad> loads,
+                                 const InfluenceOperator& op) { support.settle(loads, op); };
+
+}  // namespace clauses
+
+/// A `Support` turns the contact loads of one particle into the loads that stress it.
+template <class S>
+concept Support = Policy<S> && clauses::SupportFlexibility<S> && clauses::SupportSettle<S>;
+
+template <class S>
+consteval bool check_support() {
+  check_policy<S>();
+  static_assert(clauses::SupportFlexibility<S>,
+                "riprap: a Support must have static constexpr bool needs_flexibility");
+  static_assert(clauses::SupportSettle<S>,
+                "riprap: a Support must have void settle(std::span<BoundaryLoad>, const "
+                "InfluenceOperator&) const");
+  return Support<S>;
+}
 
 }  // namespace riprap

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include <riprap/core/errors.hpp>
+#include <riprap/dynamics/boundary/concepts.hpp>
 #include <riprap/geometry/cut.hpp>
 #include <riprap/geometry/overlap.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
@@ -15,13 +18,18 @@
 
 namespace riprap {
 
-/// The polygon through the centroids of the boundary particles, in order of their direction from
-/// the origin. It need not be convex.
+/// The polygon through the centroids of the bodies of Motion::strain_field, in order of their
+/// direction from the origin. It need not be convex. Reads the particles whenever it is asked.
 class BoundaryPolygon {
  public:
-  explicit BoundaryPolygon(const Particles& particles) {
+  /// Throws InvalidInput for fewer than three.
+  explicit BoundaryPolygon(const Particles& particles) : particles_(particles) {
     for (BodyIndex i = 0; i < particles.size(); ++i)
       if (particles.body(i).motion == Motion::strain_field) members_.push_back(i);
+    if (members_.size() < 3)
+      throw InvalidInput("a sample needs at least 3 boundary particles of Motion::strain_field; "
+                         "the assembly has " +
+                         std::to_string(members_.size()));
     std::sort(members_.begin(), members_.end(), [&](BodyIndex i, BodyIndex j) {
       const Vec2& p = particles.body(i).position;
       const Vec2& q = particles.body(j).position;
@@ -31,50 +39,46 @@ class BoundaryPolygon {
 
   [[nodiscard]] const std::vector<BodyIndex>& members() const { return members_; }
 
-  [[nodiscard]] std::vector<Vec2> vertices(const Particles& particles) const {
+  [[nodiscard]] std::vector<Vec2> vertices() const {
     std::vector<Vec2> out;
     out.reserve(members_.size());
-    for (const BodyIndex i : members_) out.push_back(particles.body(i).position);
+    for (const BodyIndex i : members_) out.push_back(particles_.body(i).position);
     return out;
   }
 
   /// Area of the assembly [m^2].
-  [[nodiscard]] double area(const Particles& particles) const {
-    return area_properties(vertices(particles)).area;
-  }
+  [[nodiscard]] double area() const { return area_properties(vertices()).area; }
 
   /// Half the extents along axes 1 and 2 [m].
-  [[nodiscard]] Vec2 semi_axes(const Particles& particles) const {
+  [[nodiscard]] Vec2 semi_axes() const {
     Vec2 widest{0, 0};
     for (const BodyIndex i : members_)
-      widest = widest.cwiseMax(particles.body(i).position.cwiseAbs());
+      widest = widest.cwiseMax(particles_.body(i).position.cwiseAbs());
     return widest;
   }
 
   /// Area of rock inside [m^2]: all free particles, and of each boundary particle the part between
   /// the two sides of the polygon that meet at its centroid. What neighbours on the ring have in
   /// common inside counts once.
-  [[nodiscard]] double solid_area(const Particles& particles) const {
-    double sum = 0;
-    for (BodyIndex i = 0; i < particles.size(); ++i)
-      if (particles.body(i).is_free()) sum += particles.shape(i).area;
-    const std::vector<Vec2> ring = vertices(particles);
+  [[nodiscard]] double solid_area() const {
+    double sum = free_area(particles_);
+    const std::vector<Vec2> ring = vertices();
     const std::size_t n = ring.size();
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t next = (k + 1) % n;
-      const Ring here = particles.ring(members_[k]);
+      const Ring here = particles_.ring(members_[k]);
       sum += area_in_wedge(here, ring[k] - ring[(k + n - 1) % n], ring[next] - ring[k], ring[k]);
-      const OverlapPolygon common = overlap(here, particles.ring(members_[next]), Vec2{0, 0}, 0);
+      const OverlapPolygon common = overlap(here, particles_.ring(members_[next]), Vec2{0, 0}, 0);
       sum -= area_on_left(common.ring(), Line{ring[k], (ring[next] - ring[k]).normalized()});
     }
     return sum;
   }
 
   /// Free particles whose centroid lies outside.
-  [[nodiscard]] std::size_t lost(const Particles& particles) const {
-    const std::vector<Vec2> ring = vertices(particles);
+  [[nodiscard]] std::size_t lost() const {
+    const std::vector<Vec2> ring = vertices();
     std::size_t count = 0;
-    for (const Body& body : particles.bodies())
+    for (const Body& body : particles_.bodies())
       count += body.is_free() && !contains(ring, body.position);
     return count;
   }
@@ -112,16 +116,8 @@ class BoundaryPolygon {
     return inside;
   }
 
+  const Particles& particles_;
   std::vector<BodyIndex> members_;
 };
-
-/// Pores over the whole [-]. Rock counted twice where particles in contact overlap is taken off.
-template <class Contacts>
-[[nodiscard]] double porosity(const BoundaryPolygon& boundary, const Particles& particles,
-                              const Contacts& contacts) {
-  double rock = boundary.solid_area(particles);
-  contacts.for_each_touching([&rock](const auto& c) { rock -= c.geometry.area; });
-  return 1 - rock / boundary.area(particles);
-}
 
 }  // namespace riprap

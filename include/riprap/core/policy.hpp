@@ -1,0 +1,44 @@
+#pragma once
+/// @file
+/// What all policies have in common, whatever their role.
+
+#include <concepts>
+
+namespace riprap {
+
+namespace clauses {
+
+/// A `Model` keeps policies by value and passes them on to the next one; nothing is assigned, so
+/// that a lambda with captures will do.
+template <class P>
+concept PolicyCopy = std::copy_constructible<P>;
+
+/// Optional: `policy.validate()` throws InvalidInput for parameters that break a rule. A function
+/// that is not const would be passed over in silence.
+template <class P>
+concept PolicyValidate =
+    !requires(P& policy) { policy.validate(); } || requires(const P& policy) { policy.validate(); };
+
+}  // namespace clauses
+
+/// The part of every role that has nothing to do with the role.
+template <class P>
+concept Policy = clauses::PolicyCopy<P> && clauses::PolicyValidate<P>;
+
+/// Says in one sentence which clause a policy breaks, in an error that names its type. Every role
+/// has such a function beside its concept, with the same clauses; the setters of Model ask it.
+template <class P>
+consteval bool check_policy() {
+  static_assert(clauses::PolicyCopy<P>,
+                "riprap: a policy must be copy-constructible, for a Model keeps it by value");
+  static_assert(clauses::PolicyValidate<P>, "riprap: validate() of a policy must be const");
+  return Policy<P>;
+}
+
+/// Asks a policy that has rules of its own; throws InvalidInput.
+template <class P>
+void validate(const P& policy) {
+  if constexpr (requires { policy.validate(); }) policy.validate();
+}
+
+}  // namespace riprap

@@ -1,0 +1,63 @@
+#pragma once
+/// @file
+/// No boundary at all: a cell that repeats itself and is strained as a whole.
+
+#include <vector>
+
+#include <riprap/contact/plane.hpp>
+#include <riprap/core/errors.hpp>
+#include <riprap/dynamics/boundary/concepts.hpp>
+#include <riprap/particle/assembly.hpp>
+
+namespace riprap {
+
+/// One cell of a periodic assembly.
+class PeriodicRegion {
+ public:
+  PeriodicRegion(const Particles& particles, const Vec2& period)
+      : particles_(particles), period_(period) {}
+
+  [[nodiscard]] double area() const { return period_.prod(); }               ///< [m^2]
+  [[nodiscard]] Vec2 semi_axes() const { return 0.5 * period_; }             ///< [m]
+  [[nodiscard]] double solid_area() const { return free_area(particles_); }  ///< [m^2]
+  /// None can leave: what goes out on one side is what comes in on the other.
+  [[nodiscard]] std::size_t lost() const { return 0; }
+
+ private:
+  const Particles& particles_;
+  Vec2 period_;
+};
+
+/// Takes the cell of the assembly and shortens it at the rates that are set. Images move with the
+/// cell; particles follow through their contacts. Positions are never wrapped.
+class PeriodicCell {
+ public:
+  /// Shortening rates along axes 1 and 2 [1/s], positive in compression.
+  void set_rate(double axis_1, double axis_2) { plane_.rate = {axis_1, axis_2}; }
+  [[nodiscard]] const Vec2& rate() const { return plane_.rate; }
+
+  /// Throws InvalidInput if the assembly is not periodic.
+  void enclose(const Assembly& assembly, const Particles& /*particles*/) {
+    require_positive("PeriodicCell: Assembly.period along axis 1", assembly.period.x());
+    require_positive("PeriodicCell: Assembly.period along axis 2", assembly.period.y());
+    plane_.period = assembly.period;
+  }
+
+  void drive(std::vector<Body>&, double) const {}
+
+  [[nodiscard]] const PeriodicPlane& plane() const { return plane_; }
+  void drift(double time_step) {
+    plane_.period -= time_step * plane_.rate.cwiseProduct(plane_.period);
+  }
+
+  [[nodiscard]] PeriodicRegion region(const Particles& particles) const {
+    return {particles, plane_.period};
+  }
+
+ private:
+  PeriodicPlane plane_;
+};
+
+static_assert(SampleBoundary<PeriodicCell>);
+
+}  // namespace riprap

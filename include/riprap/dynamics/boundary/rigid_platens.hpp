@@ -1,0 +1,99 @@
+#pragma once
+/// @file
+/// Four rigid, smooth walls that close in on the origin.
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <riprap/core/errors.hpp>
+#include <riprap/dynamics/boundary/concepts.hpp>
+#include <riprap/particle/assembly.hpp>
+
+namespace riprap {
+
+/// The rectangle that four platens leave between them.
+class PlatenRegion {
+ public:
+  PlatenRegion(const Particles& particles, const Vec2& low, const Vec2& high)
+      : particles_(particles), low_(low), high_(high) {}
+
+  [[nodiscard]] double area() const { return (high_ - low_).prod(); }        ///< [m^2]
+  [[nodiscard]] Vec2 semi_axes() const { return 0.5 * (high_ - low_); }      ///< [m]
+  [[nodiscard]] double solid_area() const { return free_area(particles_); }  ///< [m^2]
+  /// Free particles whose centroid lies outside.
+  [[nodiscard]] std::size_t lost() const {
+    std::size_t count = 0;
+    for (const Body& body : particles_.bodies())
+      count += body.is_free() && ((body.position.array() < low_.array()).any() ||
+                                  (body.position.array() > high_.array()).any());
+    return count;
+  }
+
+ private:
+  const Particles& particles_;
+  Vec2 low_;
+  Vec2 high_;
+};
+
+/// Moves the inner face of every body of Motion::platen with v = -rate x along its normal: one
+/// platen on each side of the origin, its centroid on axis 1 or 2, its inner face across that axis.
+/// Contacts with platens carry no tangential force.
+class RigidPlatens {
+ public:
+  /// Shortening rates along axes 1 and 2 [1/s], positive in compression.
+  void set_rate(double axis_1, double axis_2) { rate_ = {axis_1, axis_2}; }
+  [[nodiscard]] const Vec2& rate() const { return rate_; }
+
+  /// Throws InvalidInput unless there is one platen on each side.
+  void enclose(const Assembly& /*assembly*/, const Particles& particles) {
+    platens_.clear();
+    for (BodyIndex i = 0; i < particles.size(); ++i)
+      if (particles.body(i).motion == Motion::platen) platens_.push_back(platen(particles, i));
+    int sides = 0;
+    for (const Platen& p : platens_) sides |= 1 << (2 * p.axis + (p.to_face > 0 ? 1 : 0));
+    if (platens_.size() != 4 || sides != 0b1111)
+      throw InvalidInput("RigidPlatens needs four bodies of Motion::platen, one on each side of "
+                         "the origin; the assembly has " +
+                         std::to_string(platens_.size()));
+  }
+
+  void drive(std::vector<Body>& bodies, double /*time_step*/) const {
+    for (const Platen& p : platens_) {
+      Body& body = bodies[p.body];
+      body.velocity = Vec2{0, 0};
+      body.velocity[p.axis] = -rate_[p.axis] * (body.position[p.axis] + p.to_face);
+    }
+  }
+
+  [[nodiscard]] PlatenRegion region(const Particles& particles) const {
+    Vec2 low{0, 0};
+    Vec2 high{0, 0};
+    for (const Platen& p : platens_)
+      (p.to_face > 0 ? low : high)[p.axis] = particles.body(p.body).position[p.axis] + p.to_face;
+    return {particles, low, high};
+  }
+
+ private:
+  struct Platen {
+    BodyIndex body = 0;
+    int axis = 0;        ///< along which it moves: 0 or 1
+    double to_face = 0;  ///< from its centroid to its inner face along that axis [m]
+  };
+
+  [[nodiscard]] static Platen platen(const Particles& particles, BodyIndex i) {
+    const Vec2& centre = particles.body(i).position;
+    const int axis = std::abs(centre.x()) >= std::abs(centre.y()) ? 0 : 1;
+    double nearest = centre[axis];
+    for (const Vec2& v : particles.ring(i))
+      if (std::abs(v[axis]) < std::abs(nearest)) nearest = v[axis];
+    return {i, axis, nearest - centre[axis]};
+  }
+
+  Vec2 rate_{0, 0};
+  std::vector<Platen> platens_;
+};
+
+static_assert(SampleBoundary<RigidPlatens>);
+
+}  // namespace riprap

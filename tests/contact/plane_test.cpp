@@ -1,0 +1,28 @@
+#include <riprap/contact/plane.hpp>
+
+#include <doctest/doctest.h>
+
+#include <type_traits>
+
+using namespace riprap;
+
+TEST_CASE("an image in the open plane takes no room") {
+  CHECK(std::is_empty_v<OpenPlane::Image>);
+  CHECK(OpenPlane::Image{} == OpenPlane::Image{});
+}
+
+TEST_CASE("an image lies whole periods away and moves with the cell") {
+  const PeriodicPlane plane{.period = {2, 3}, .rate = {0.1, -0.2}};
+  const PeriodicPlane::Image image{1, -2};
+  CHECK(plane.offset(image) == Vec2{2, -6});
+  // A cell that shortens along axis 1 brings the image on the right nearer.
+  CHECK((plane.velocity(image) - Vec2{-0.2, -1.2}).norm() <= 1e-15);
+  CHECK(plane.offset(image + -image) == Vec2{0, 0});
+}
+
+TEST_CASE("a place belongs to the copy of the cell that holds it") {
+  const PeriodicPlane plane{.period = {2, 3}};
+  CHECK(plane.cell_of({0.9, -1.4}) == PeriodicPlane::Image{0, 0});
+  CHECK(plane.cell_of({1.1, -1.6}) == PeriodicPlane::Image{1, -1});
+  CHECK(plane.cell_of({-5.2, 4.6}) == PeriodicPlane::Image{-3, 2});
+}

@@ -1,0 +1,71 @@
+#include <riprap/dynamics/boundary/rigid_platens.hpp>
+
+#include <doctest/doctest.h>
+
+#include <riprap/particle/random_box_assembly.hpp>
+#include <support/near.hpp>
+
+using namespace riprap;
+using namespace riprap::test;
+
+namespace {
+
+ConvexPolygon box(const Vec2& low, const Vec2& high) {
+  return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+}
+
+// Inner faces at -3 and 4 along axis 1, at -1 and 2 along axis 2.
+const Assembly uneven{.particles = {{box({-3.5, -9}, {-3, 9}), Motion::platen},
+                                    {box({-9, 2}, {9, 4}), Motion::platen},
+                                    {box({4, -9}, {5, 9}), Motion::platen},
+                                    {box({-9, -2}, {9, -1}), Motion::platen},
+                                    {box({0, 0}, {1, 1})},
+                                    {box({3.8, 0}, {4.6, 1})},
+                                    {box({-5, -5}, {-4.9, -4.9}), Motion::prescribed}}};
+
+Particles placed(const Assembly& assembly) {
+  Particles particles(1, 1);
+  for (const PlacedParticle& p : assembly.particles) particles.add(p.polygon, p.motion);
+  return particles;
+}
+
+}  // namespace
+
+TEST_CASE("the sample is the rectangle between the inner faces") {
+  const Particles particles = placed(uneven);
+  RigidPlatens platens;
+  platens.enclose(uneven, particles);
+  const auto region = platens.region(particles);
+  CHECK(region.area() == near(7 * 3, 1e-14));
+  CHECK((region.semi_axes() - Vec2{3.5, 1.5}).norm() == near(0, 1e-15));
+  CHECK(region.solid_area() == near(1.8, 1e-14));
+  CHECK(region.lost() == 1);  // its centroid is in the platen
+}
+
+TEST_CASE("a step shortens the sample by rate times its extent, along each normal only") {
+  Particles particles = placed(uneven);
+  RigidPlatens platens;
+  platens.enclose(uneven, particles);
+  platens.set_rate(0.5, -0.25);
+  CHECK(platens.rate() == Vec2{0.5, -0.25});
+  const double dt = 1e-3;
+  platens.drive(particles.bodies(), dt);
+  for (Body& body : particles.bodies()) body.position += dt * body.velocity;
+  CHECK((platens.region(particles).semi_axes() - Vec2{3.5 * (1 - 0.5 * dt), 1.5 * (1 + 0.25 * dt)})
+            .norm() == near(0, 1e-14));
+  for (BodyIndex i = 0; i < 4; ++i) CHECK(particles.body(i).velocity.prod() == 0);
+  for (BodyIndex i = 4; i < 7; ++i) CHECK(particles.body(i).velocity == Vec2{0, 0});
+}
+
+TEST_CASE("a side without a platen is an error") {
+  Assembly three = uneven;
+  three.particles[2].motion = Motion::free;
+  RigidPlatens platens;
+  CHECK_THROWS_WITH_AS(platens.enclose(three, placed(three)),
+                       "RigidPlatens needs four bodies of Motion::platen, one on each side of the "
+                       "origin; the assembly has 3",
+                       InvalidInput);
+  Assembly twice = uneven;
+  twice.particles[2].polygon = box({-9, 5}, {9, 6});
+  CHECK_THROWS_AS(platens.enclose(twice, placed(twice)), InvalidInput);
+}

@@ -1,0 +1,25 @@
+# Compiles a program and holds what the compiler says against the comment that the program begins
+# with. The policy that makes the mistake is called Mine; the compiler must tell so with its error.
+cmake_policy(VERSION 3.21)
+
+file(READ ${program} text)
+string(REGEX MATCH "^(// [^\n]*\n)+" comment "${text}")
+string(REGEX REPLACE "\n?// " " " sentence "${comment}")
+string(STRIP "${sentence}" sentence)
+list(TRANSFORM includes PREPEND -I)
+set(ENV{LC_ALL} C)
+execute_process(COMMAND ${compiler} -std=c++20 -fsyntax-only ${includes} ${program}
+                RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE said)
+if(result EQUAL 0)
+  message(FATAL_ERROR "${program} compiles")
+endif()
+
+string(REGEX MATCHALL "[^\n]*error: [^\n]*" errors "${said}")
+list(LENGTH errors count)
+string(FIND "${errors}" "error: static assertion failed: ${sentence}" place)
+if(NOT count EQUAL 1 OR place EQUAL -1)
+  message(FATAL_ERROR "not one error, which says \"${sentence}\", but:\n${said}")
+endif()
+if(NOT said MATCHES "(= |<)(const )?Mine ?[]>;*]")
+  message(FATAL_ERROR "the error does not name the policy's type:\n${said}")
+endif()

@@ -1,0 +1,13 @@
+// riprap: a ContactLaw must have double peak_stiffness() const
+#include <riprap/simulation/model.hpp>
+using namespace riprap;
+
+struct Mine {
+  struct History {};
+  ContactForce operator()(const ContactGeometry& at, const ContactMotion&, History&) const {
+    return {.normal = 1e7 * at.depth};
+  }
+  double stored_energy(const ContactGeometry&, const History&) const { return 0; }
+};
+
+const auto model = Model{}.contact(Mine{});

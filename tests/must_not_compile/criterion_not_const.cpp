@@ -1,0 +1,10 @@
+// riprap: a FailureCriterion must have double major_stress_at_failure(double minor) const
+#include <riprap/simulation/model.hpp>
+using namespace riprap;
+
+struct Mine {
+  double major_stress_at_failure(double minor) { return minor + 300e6; }
+  double tensile_strength() const { return 12e6; }
+};
+
+const auto model = Model{}.criterion(Mine{});

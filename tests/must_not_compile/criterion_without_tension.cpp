@@ -1,0 +1,9 @@
+// riprap: a FailureCriterion must have double tensile_strength() const
+#include <riprap/simulation/model.hpp>
+using namespace riprap;
+
+struct Mine {
+  double major_stress_at_failure(double minor) const { return minor + 300e6; }
+};
+
+const auto model = Model{}.criterion(Mine{});

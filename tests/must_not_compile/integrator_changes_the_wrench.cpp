@@ -1,0 +1,12 @@
+// riprap: an Integrator must have void advance(Body&, const Wrench&, double time_step) const
+#include <riprap/simulation/model.hpp>
+using namespace riprap;
+
+struct Mine {
+  static constexpr int order = 1;
+  static constexpr bool needs_finish = false;
+  void advance(Body& body, Wrench&, double time_step) const { drift(body, time_step); }
+  void finish(Body&, const Wrench&, double) const {}
+};
+
+const auto model = Model{}.integrator(Mine{});

@@ -1,0 +1,11 @@
+// riprap: an Integrator must have void finish(Body&, const Wrench&, double time_step) const
+#include <riprap/simulation/model.hpp>
+using namespace riprap;
+
+struct Mine {
+  static constexpr int order = 1;
+  static constexpr bool needs_finish = true;
+  void advance(Body& body, const Wrench&, double time_step) const { drift(body, time_step); }
+};
+
+const auto model = Model{}.integrator(Mine{});

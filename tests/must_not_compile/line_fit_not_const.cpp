@@ -1,0 +1,12 @@
+// riprap: a LineFit must have std::optional<Line> operator()(std::span<const WeightedPoint>, const
+// FailurePlanes&) const
+#include <riprap/simulation/model.hpp>
+using namespace riprap;
+
+struct Mine {
+  std::optional<Line> operator()(std::span<const WeightedPoint>, const FailurePlanes&) {
+    return std::nullopt;
+  }
+};
+
+const auto model = Model{}.line_fit(Mine{});

@@ -1,0 +1,13 @@
+// riprap: a LineFit must have std::optional<Line> operator()(std::span<const WeightedPoint>, const
+// FailurePlanes&) const
+#include <riprap/simulation/model.hpp>
+using namespace riprap;
+
+struct Mine {
+  std::optional<Line> operator()(std::span<const WeightedPoint>, const FailurePlanes&) const {
+    return std::nullopt;
+  }
+};
+const Mine mine;
+
+const auto model = Model{}.line_fit(&mine);

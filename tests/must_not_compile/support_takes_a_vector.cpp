@@ -1,0 +1,10 @@
+// riprap: a Support must have void settle(std::span<BoundaryLoad>, const InfluenceOperator&) const
+#include <riprap/simulation/model.hpp>
+using namespace riprap;
+
+struct Mine {
+  static constexpr bool needs_flexibility = false;
+  void settle(std::vector<BoundaryLoad>& loads, const InfluenceOperator&) const { loads.clear(); }
+};
+
+const auto model = Model{}.support(Mine{});

@@ -1,0 +1,9 @@
+// riprap: a Support must have static constexpr bool needs_flexibility
+#include <riprap/simulation/model.hpp>
+using namespace riprap;
+
+struct Mine {
+  void settle(std::span<BoundaryLoad>, const InfluenceOperator&) const {}
+};
+
+const auto model = Model{}.support(Mine{});

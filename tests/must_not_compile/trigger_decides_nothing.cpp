@@ -1,0 +1,9 @@
+// riprap: a BreakageTrigger must have bool operator()(const FailureTally&) const
+#include <riprap/simulation/model.hpp>
+using namespace riprap;
+
+struct Mine {
+  void operator()(const FailureTally&) const {}
+};
+
+const auto model = Model{}.trigger(Mine{});

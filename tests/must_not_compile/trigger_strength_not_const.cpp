@@ -1,0 +1,11 @@
+// riprap: strength_factor of a BreakageTrigger must be double strength_factor(ParticleId, double
+// area) const
+#include <riprap/simulation/model.hpp>
+using namespace riprap;
+
+struct Mine {
+  bool operator()(const FailureTally& tally) const { return tally.failed > 0; }
+  double strength_factor(ParticleId, double area) { return 1 / area; }
+};
+
+const auto model = Model{}.trigger(Mine{});

@@ -1,0 +1,94 @@
+#include <doctest/doctest.h>
+
+#include <riprap/simulation/simulation.hpp>
+#include <support/archetypes.hpp>
+
+using namespace riprap;
+namespace archetype = riprap::test::archetype;
+
+namespace {
+
+// Hoek-Brown's two functions without its friction angle, as the archetype has it.
+struct TwoFunctions {
+  double major_stress_at_failure(double minor) const {
+    return HoekBrown{}.major_stress_at_failure(minor);
+  }
+  double tensile_strength() const { return HoekBrown{}.tensile_strength(); }
+};
+
+// The shipped models that the archetypes stand in for; the rest are defaults.
+const auto shipped =
+    Model{}.integrator(VelocityVerlet{}).boundary(NoBoundary{}).criterion(TwoFunctions{});
+
+// A square 1 mm deep in a platen on either side breaks at the first check; then its pieces fly.
+struct Outcome {
+  std::size_t breaks = 0;
+  std::vector<Vec2> positions;
+  std::vector<double> ratios;
+  double stored = 0;
+  bool operator==(const Outcome&) const = default;
+};
+
+template <class ModelType>
+Outcome crushed(const ModelType& model) {
+  const ConvexPolygon square{{0, 0}, {0.016, 0}, {0.016, 0.016}, {0, 0.016}};
+  const ConvexPolygon platen{{-0.02, 0}, {0.04, 0}, {0.04, 0.016}, {-0.02, 0.016}};
+  const Assembly pressed{.particles = {{square},
+                                       {platen.moved({}, {0, 0.0150}), Motion::prescribed},
+                                       {platen.moved({}, {0, -0.0150}), Motion::prescribed}}};
+  Simulation sim{model, pressed, Rock{}};
+  for (int i = 0; i < 20; ++i) sim.step();
+  Outcome outcome{.breaks = sim.breaks().size(), .positions = {}, .ratios = sim.failed_ratios()};
+  for (const Body& body : sim.particles().bodies()) outcome.positions.push_back(body.position);
+  sim.contacts().for_each_touching([&](const auto& contact) {
+    outcome.stored +=
+        sim.model().contact_model.law.stored_energy(contact.geometry, contact.history);
+  });
+  return outcome;
+}
+
+}  // namespace
+
+TEST_CASE("a whole simulation of archetypes breaks a square as the models behind them do") {
+  const auto archetypes = Model{}
+                              .broad_phase(archetype::BroadPhase{0})
+                              .narrow_phase(archetype::NarrowPhase{0})
+                              .contact(archetype::ContactLaw{0})
+                              .integrator(archetype::Integrator{0})
+                              .damping(archetype::Damping{0})
+                              .time_step(archetype::TimeStepRule{0})
+                              .boundary(archetype::Boundary{0})
+                              .mesher(archetype::Mesher{0})
+                              .element(archetype::Element{0})
+                              .plane_state(archetype::PlaneState{0})
+                              .support(archetype::Support{0})
+                              .criterion(archetype::FailureCriterion{0})
+                              .trigger(archetype::BreakageTrigger{0})
+                              .line_fit(archetype::LineFit{0})
+                              .splitter(archetype::Splitter{0})
+                              .inheritance(archetype::Inheritance{0});
+  const Outcome expected = crushed(shipped);
+  REQUIRE(expected.breaks >= 1);
+  CHECK(expected.stored > 0);
+  CHECK(crushed(archetypes) == expected);
+}
+
+TEST_CASE("an archetype gets on with shipped models in all other roles") {
+  const Outcome expected = crushed(shipped);
+  CHECK(crushed(shipped.broad_phase(archetype::BroadPhase{0})) == expected);
+  CHECK(crushed(shipped.narrow_phase(archetype::NarrowPhase{0})) == expected);
+  CHECK(crushed(shipped.contact(archetype::ContactLaw{0})) == expected);
+  CHECK(crushed(shipped.integrator(archetype::Integrator{0})) == expected);
+  CHECK(crushed(shipped.damping(archetype::Damping{0})) == expected);
+  CHECK(crushed(shipped.time_step(archetype::TimeStepRule{0})) == expected);
+  CHECK(crushed(shipped.boundary(archetype::Boundary{0})) == expected);
+  CHECK(crushed(shipped.mesher(archetype::Mesher{0})) == expected);
+  CHECK(crushed(shipped.element(archetype::Element{0})) == expected);
+  CHECK(crushed(shipped.plane_state(archetype::PlaneState{0})) == expected);
+  CHECK(crushed(shipped.support(archetype::Support{0})) == expected);
+  CHECK(crushed(shipped.criterion(archetype::FailureCriterion{0})) == expected);
+  CHECK(crushed(shipped.trigger(archetype::BreakageTrigger{0})) == expected);
+  CHECK(crushed(shipped.line_fit(archetype::LineFit{0})) == expected);
+  CHECK(crushed(shipped.splitter(archetype::Splitter{0})) == expected);
+  CHECK(crushed(shipped.inheritance(archetype::Inheritance{0})) == expected);
+}

@@ -1,0 +1,219 @@
+#pragma once
+/// @file
+/// Policies that offer what the concept of their role asks for and nothing more: where they get
+/// through, the code needs no more than the concepts say. Each does what a shipped model does, so
+/// that its results can be told. To make a near miss, derive from one and hide a member.
+
+#include <array>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <riprap/contact/broad_phase/all_pairs.hpp>
+#include <riprap/dynamics/boundary/no_boundary.hpp>
+#include <riprap/dynamics/integrator/velocity_verlet.hpp>
+#include <riprap/simulation/model.hpp>
+
+namespace riprap::test::archetype {
+
+/// A result: converts to T and can do nothing else.
+template <class T>
+class Gives {
+ public:
+  explicit constexpr Gives(T value) : value_(std::move(value)) {}
+  constexpr operator T() const { return value_; }
+
+ private:
+  T value_;
+};
+
+/// A parameter: takes a T that may not be changed, and nothing that would first have to become one.
+template <class T>
+class Takes {
+ public:
+  Takes(const T& value) : value_(value) {}
+  const T& get() const { return value_; }
+
+ private:
+  const T& value_;
+};
+
+/// Can be copied, but neither default-constructed nor assigned.
+class Copyable {
+ public:
+  explicit Copyable(int) {}
+  Copyable(const Copyable&) = default;
+  Copyable& operator=(const Copyable&) = delete;
+};
+
+/// What a contact keeps: made from nothing, when asked for by name, copied and assigned.
+template <class T>
+class State {
+ public:
+  explicit State() = default;
+  T value{};
+};
+
+struct BroadPhase : Copyable {
+  using Copyable::Copyable;
+  Gives<double> relative_skin{AllPairs{}.relative_skin};
+  template <class Visit>
+  void visit_pairs(Takes<std::span<const Box>> boxes, Visit visit) const {
+    AllPairs{}.visit_pairs(boxes.get(), visit);
+  }
+};
+
+struct NarrowPhase : Copyable {
+  using Copyable::Copyable;
+  using Memory = State<OverlapChord::Memory>;
+  Gives<std::optional<ContactGeometry>> operator()(Takes<Ring> a, Takes<Ring> b,
+                                                   Memory& memory) const {
+    return Gives(OverlapChord{}(a.get(), b.get(), memory.value));
+  }
+};
+
+struct ContactLaw : Copyable {
+  using Copyable::Copyable;
+  using History = State<LinearSpringCoulomb::History>;
+  Gives<ContactForce> operator()(Takes<ContactGeometry> geometry, Takes<ContactMotion> motion,
+                                 History& history) const {
+    return Gives(LinearSpringCoulomb{}(geometry.get(), motion.get(), history.value));
+  }
+  Gives<double> stored_energy(Takes<ContactGeometry> geometry, Takes<History> history) const {
+    return Gives(LinearSpringCoulomb{}.stored_energy(geometry.get(), history.get().value));
+  }
+  Gives<double> peak_stiffness() const { return Gives(LinearSpringCoulomb{}.peak_stiffness()); }
+};
+
+struct Integrator : Copyable {
+  using Copyable::Copyable;
+  static constexpr Gives<int> order{VelocityVerlet::order};
+  static constexpr Gives<bool> needs_finish{VelocityVerlet::needs_finish};
+  void advance(Body& body, Takes<Wrench> wrench, Takes<double> time_step) const {
+    VelocityVerlet{}.advance(body, wrench.get(), time_step.get());
+  }
+  void finish(Body& body, Takes<Wrench> wrench, Takes<double> time_step) const {
+    VelocityVerlet{}.finish(body, wrench.get(), time_step.get());
+  }
+};
+
+struct Damping : Copyable {
+  using Copyable::Copyable;
+  Gives<Wrench> operator()(Takes<Body> body, Takes<Wrench> applied) const {
+    return Gives(LocalDamping{}(body.get(), applied.get()));
+  }
+};
+
+struct TimeStepRule : Copyable {
+  using Copyable::Copyable;
+  Gives<double> time_step(Takes<double> mass, Takes<double> stiffness) const {
+    return Gives(MassFloor{}.time_step(mass.get(), stiffness.get()));
+  }
+  Gives<double> mass_scaling(Takes<double> mass, Takes<double> smallest) const {
+    return Gives(MassFloor{}.mass_scaling(mass.get(), smallest.get()));
+  }
+};
+
+struct Boundary : Copyable {
+  using Copyable::Copyable;
+  void drive(std::vector<Body>&, Takes<double>) {}
+};
+
+class Region {
+ public:
+  explicit Region(const BoundaryPolygon& polygon) : polygon_(polygon) {}
+  Gives<double> area() const { return Gives(polygon_.area()); }
+  Gives<Vec2> semi_axes() const { return Gives(polygon_.semi_axes()); }
+  Gives<double> solid_area() const { return Gives(polygon_.solid_area()); }
+  Gives<std::size_t> lost() const { return Gives(polygon_.lost()); }
+
+ private:
+  BoundaryPolygon polygon_;
+};
+
+class SampleBoundary : public Copyable {
+ public:
+  using Copyable::Copyable;
+  void drive(std::vector<Body>& bodies, Takes<double> time_step) {
+    field_.drive(bodies, time_step.get());
+  }
+  void set_rate(Takes<double> axis_1, Takes<double> axis_2) {
+    field_.set_rate(axis_1.get(), axis_2.get());
+  }
+  Region region(Takes<Particles> particles) const { return Region(field_.region(particles.get())); }
+
+ private:
+  StrainField field_;
+};
+
+struct Mesher : Copyable {
+  using Copyable::Copyable;
+  Gives<Mesh> operator()(Takes<Ring> ring) const { return Gives(UniformMesher{}(ring.get())); }
+};
+
+struct Element : Copyable {
+  using Copyable::Copyable;
+  StrainDisplacement strain_displacement(Takes<std::array<Vec2, 3>> corners) const {
+    return ConstantStrainTriangle{}.strain_displacement(corners.get());
+  }
+  Eigen::Matrix3d mass(Takes<std::array<Vec2, 3>> corners) const {
+    return ConstantStrainTriangle{}.mass(corners.get());
+  }
+};
+
+struct PlaneState : Copyable {
+  using Copyable::Copyable;
+  Eigen::Matrix3d elasticity(Takes<Rock> rock) const {
+    return PlaneStress{}.elasticity(rock.get());
+  }
+  Gives<double> out_of_plane_stress(Takes<Rock> rock, Takes<Stress2> stress) const {
+    return Gives(PlaneStress{}.out_of_plane_stress(rock.get(), stress.get()));
+  }
+};
+
+struct Support : Copyable {
+  using Copyable::Copyable;
+  static constexpr Gives<bool> needs_flexibility{true};
+  void settle(Takes<std::span<BoundaryLoad>> loads, Takes<InfluenceOperator> op) const {
+    InertiaRelief{}.settle(loads.get(), op.get());
+  }
+};
+
+struct FailureCriterion : Copyable {
+  using Copyable::Copyable;
+  Gives<double> major_stress_at_failure(Takes<double> minor) const {
+    return Gives(HoekBrown{}.major_stress_at_failure(minor.get()));
+  }
+  Gives<double> tensile_strength() const { return Gives(HoekBrown{}.tensile_strength()); }
+};
+
+struct BreakageTrigger : Copyable {
+  using Copyable::Copyable;
+  Gives<bool> operator()(Takes<FailureTally> tally) const {
+    return Gives(FailedElementRatio{}(tally.get()));
+  }
+};
+
+struct LineFit : Copyable {
+  using Copyable::Copyable;
+  Gives<std::optional<Line>> operator()(Takes<std::span<const WeightedPoint>> points,
+                                        Takes<FailurePlanes> planes) const {
+    return Gives(WeightedXY{}(points.get(), planes.get()));
+  }
+};
+
+struct Splitter : Copyable {
+  using Copyable::Copyable;
+  Gives<std::optional<CutRings>> operator()(Takes<Ring> ring, Takes<Line> line,
+                                            Takes<double> mean_area) const {
+    return Gives(StraightCut{}(ring.get(), line.get(), mean_area.get()));
+  }
+};
+
+struct Inheritance : Copyable {
+  using Copyable::Copyable;
+  void operator()(Takes<Body> parent, Body& piece) const { RigidField{}(parent.get(), piece); }
+};
+
+}  // namespace riprap::test::archetype
