@@ -71,22 +71,26 @@ look_for_needs() {
   done
 }
 
-install_needs() {
+# install_packages PACKAGE...: false where there is no apt, or no right to use it.
+install_packages() {
   local as_root=(env)
+  ((EUID == 0)) || as_root=(sudo env)
+  command -v apt-get >/dev/null && command -v "${as_root[0]}" >/dev/null || return
+  say "installing $* ..."
+  quietly "${as_root[@]}" apt-get update
+  quietly "${as_root[@]}" DEBIAN_FRONTEND=noninteractive \
+    apt-get install --yes --no-install-recommends "$@"
+}
+
+install_needs() {
   look_for_needs
   ((${#missing[@]})) || return 0
 
-  ((EUID == 0)) || as_root=(sudo env)
-  if ! command -v apt-get >/dev/null || ! command -v "${as_root[0]}" >/dev/null; then
+  if ! install_packages "${missing[@]}"; then
     say "Install these (by the names of their Debian packages) and try again: ${missing[*]}"
     say "Libraries in a place of their own are found through CMAKE_PREFIX_PATH."
     exit 1
   fi
-  say "installing ${missing[*]} ..."
-  quietly "${as_root[@]}" apt-get update
-  quietly "${as_root[@]}" DEBIAN_FRONTEND=noninteractive \
-    apt-get install --yes --no-install-recommends "${missing[@]}"
-
   look_for_needs
   ((${#missing[@]} == 0)) || { say "still missing after the installation"; exit 1; }
 }

@@ -68,6 +68,7 @@ Options read_options(int argc, char** argv) {
   app.add_option("--maximum-piece-aspect", o.maximum_piece_aspect,
                  "of a piece, diameter over least width [-]");
   app.add_option("--out", o.out, "folder for the results");
+  app.add_flag("--paraview", o.paraview, "write a series for ParaView into the folder as well");
   try {
     app.parse(argc, argv);
     read_vertices(vertices, o);

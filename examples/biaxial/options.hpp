@@ -30,6 +30,7 @@ struct Options {
   double minimum_piece_area = 0.08;
   double maximum_piece_aspect = 3;
   std::string out = "biaxial-out";
+  bool paraview = false;
 };
 
 // What random_assembly is to make.

@@ -6,7 +6,9 @@
 
 #include <riprap/output/assembly_picture.hpp>
 #include <riprap/output/curve_charts.hpp>
+#include <riprap/output/displacement_picture.hpp>
 #include <riprap/output/force_chain_picture.hpp>
+#include <riprap/output/paraview.hpp>
 
 #include "options.hpp"
 #include "summary.hpp"
@@ -26,9 +28,20 @@ inline auto breakable_model(const Options& o) {
       .check_every(o.check_every);
 }
 
-// An observer that draws the assembly and its forces at the start and the end of shear.
+// An observer that draws the assembly and its forces at the start and the end of shear, and the
+// paths of the particles between them.
 struct Pictures {
   std::filesystem::path folder;
+  riprap::DisplacementPaths paths{};
+
+  template <class Sim>
+  void record(const riprap::BiaxialView<Sim>& view) {
+    paths.record(view);
+  }
+  template <class Sim>
+  void record_break(const riprap::BiaxialView<Sim>& view, const riprap::BreakEvent& event) {
+    paths.record_break(view, event);
+  }
 
   template <class Sim>
   void begin_stage(const riprap::BiaxialView<Sim>& view) const {
@@ -36,25 +49,45 @@ struct Pictures {
   }
   template <class Sim>
   void end_stage(const riprap::BiaxialView<Sim>& view) const {
-    if (view.stage == riprap::Stage::shear)
-      draw(view, "after",
-           "at " + riprap::to_text(std::round(1000 * view.axial_strain()) / 10) +
-               " % axial strain");
+    if (view.stage != riprap::Stage::shear) return;
+    const std::string when =
+        "at " + riprap::to_text(std::round(1000 * view.axial_strain()) / 10) + " % axial strain";
+    draw(view, "after", when);
+    riprap::displacement_picture(view.sim.particles(), paths,
+                                 "Displacement paths " + when + ", " + pressure_text(view))
+        .save(folder / "displacement.svg");
   }
 
  private:
   template <class Sim>
+  static std::string pressure_text(const riprap::BiaxialView<Sim>& view) {
+    return riprap::to_text(view.confining_pressure / 1e6) + " MPa";
+  }
+  template <class Sim>
   void draw(const riprap::BiaxialView<Sim>& view, const std::string& name,
             const std::string& when) const {
     const auto& particles = view.sim.particles();
-    const std::string pressure = riprap::to_text(view.confining_pressure / 1e6) + " MPa";
+    const std::string pressure = pressure_text(view);
     const std::vector<double> ratios =
         Sim::breakable ? view.sim.failed_ratios() : std::vector<double>{};
     riprap::assembly_picture(particles, ratios, "Assembly " + when + ", " + pressure)
         .save(folder / ("assembly_" + name + ".svg"));
     riprap::force_chain_picture(particles, view.sim.contacts(),
-                                "Normal contact forces " + when + ", " + pressure)
+                                "Normal contact forces " + when + ", " + pressure,
+                                // Forces grow with the pressure; the default is for 2 MPa.
+                                riprap::ForceClasses{}.scaled(view.confining_pressure / 2e6))
         .save(folder / ("forces_" + name + ".svg"));
+  }
+};
+
+// An observer that writes the series for ParaView where it is wanted.
+struct OptionalSeries {
+  bool wanted;
+  riprap::ParaViewSeries series;
+
+  template <class Sim>
+  void record(const riprap::BiaxialView<Sim>& view) {
+    if (wanted) series.record(view);
   }
 };
 
@@ -69,6 +102,7 @@ void run(const Options& o, ModelType model) {
                          .inertial_number = o.inertial_number};
   Curve curve;
   Progress progress;
+  OptionalSeries series{o.paraview, ParaViewSeries{folder / "paraview"}};
   const auto write_records = [&] {
     write_csv(folder / "curve.csv", curve);
     write_file(folder / "energy.csv", energy_csv(curve));
@@ -77,7 +111,7 @@ void run(const Options& o, ModelType model) {
   };
   BiaxialResult result;
   try {
-    result = test.run(sim, curve, Pictures{folder}, progress);
+    result = test.run(sim, curve, Pictures{folder}, series, progress);
   } catch (...) {
     write_records();  // what was computed is kept
     throw;

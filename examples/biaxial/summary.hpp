@@ -226,6 +226,6 @@ void print_summary(const Options& o, const Sim& sim, const riprap::Curve& curve,
               riprap::time_step_ratio(sim.time_step(), sim.particles(), law.peak_stiffness()));
   std::printf(
       "results in %s: curves.svg, assembly_before.svg, assembly_after.svg, forces_before.svg,\n"
-      "forces_after.svg, curve.csv, energy.csv, breakages.csv, summary.json\n",
+      "forces_after.svg, displacement.svg, curve.csv, energy.csv, breakages.csv, summary.json\n",
       folder.c_str());
 }

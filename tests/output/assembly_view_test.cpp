@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,7 @@ std::vector<SvgElement> annotated(const AssemblyView& view) {
 struct ScaleBar {
   double pixels = 0;
   double metres = 0;
+  std::string label;
 };
 
 ScaleBar scale_bar(const std::vector<SvgElement>& elements) {
@@ -45,8 +47,14 @@ ScaleBar scale_bar(const std::vector<SvgElement>& elements) {
   for (const SvgElement& e : elements) {
     if (e.name == "line" && e.attribute("stroke-width") == "3")
       bar.pixels = e.number("x2") - e.number("x1");
-    if (e.name == "text" && e.text.ends_with(" mm"))
-      bar.metres = 1e-3 * SvgElement::parsed(e.text.substr(0, e.text.size() - 3));
+    const std::size_t space = e.text.find(' ');
+    if (e.name != "text" || space == std::string::npos) continue;
+    const std::map<std::string, double> units{
+        {"um", 1e-6}, {"mm", 1e-3}, {"m", 1}, {"km", 1e3}, {"Mm", 1e6}};
+    if (const auto unit = units.find(e.text.substr(space + 1)); unit != units.end()) {
+      bar.metres = unit->second * SvgElement::parsed(e.text.substr(0, space));
+      bar.label = e.text;
+    }
   }
   return bar;
 }
@@ -109,7 +117,7 @@ TEST_CASE("every particle lies on the sheet, below the title and left of the leg
 }
 
 TEST_CASE("the scale bar is as long as its label says: 1, 2 or 5 times a power of ten") {
-  for (double size = 1e-4; size < 50; size *= 1.07) {
+  for (double size = 1e-4; size < 1e5; size *= 1.07) {
     CAPTURE(size);
     const AssemblyView view(triad(size, size));
     const ScaleBar bar = scale_bar(annotated(view));
@@ -123,8 +131,50 @@ TEST_CASE("the scale bar is as long as its label says: 1, 2 or 5 times a power o
   }
 }
 
+TEST_CASE("the label of the scale bar has the unit that suits its length") {
+  const auto label = [](double size) {
+    return scale_bar(annotated(AssemblyView(triad(size, size)))).label;
+  };
+  // The bar is at most 95 of the 900 pixels that the assembly has.
+  CHECK(label(1e-4) == "10 um");
+  CHECK(label(6e-3) == "500 um");
+  CHECK(label(1e-2) == "1 mm");
+  CHECK(label(0.3) == "20 mm");
+  CHECK(label(9.4) == "500 mm");
+  CHECK(label(10) == "1 m");
+  CHECK(label(9.4e3) == "500 m");
+  CHECK(label(1e4) == "1 km");
+}
+
+TEST_CASE("points beside the particles widen the picture") {
+  const Particles particles = triad(0.3, 0.2);
+  const std::vector<Vec2> inside{{0.1, 0.1}};
+  CHECK(AssemblyView(particles, inside).scale() == AssemblyView(particles).scale());
+  const std::vector<Vec2> beyond{{-0.1, 0.1}, {0.2, 0.25}};
+  const AssemblyView view(particles, beyond);
+  CHECK(view.scale() == near(900 / 0.4, 1e-9));
+  CHECK(view(beyond[0]).x() == near(20, 1e-9));  // the margin on the left
+  CHECK(view(beyond[1]).y() == near(50, 1e-9));  // margin and header
+}
+
+TEST_CASE("outlines show every particle, driven ones in another tone than free ones") {
+  Particles particles = triad(0.3, 0.2);
+  particles.body(1).motion = Motion::prescribed;
+  const AssemblyView view(particles);
+  Svg svg = view.canvas();
+  view.outlines(svg, particles);
+  const auto shapes = test::named(test::svg_elements(svg.document()), "polygon");
+  REQUIRE(shapes.size() == 3);
+  CHECK(shapes[0].attribute("fill") == shapes[2].attribute("fill"));
+  CHECK(shapes[0].attribute("fill") != shapes[1].attribute("fill"));
+  for (BodyIndex i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 4; ++k)
+      // Rounded to a hundredth of a pixel.
+      CHECK((shapes[i].points()[k] - view(particles.ring(i)[k])).cwiseAbs().maxCoeff() <= 0.0051);
+}
+
 TEST_CASE("title, axes, scale bar and its label stay on the sheet for assemblies of any size") {
-  for (double size = 1e-4; size < 50; size *= 1.31)
+  for (double size = 1e-4; size < 1e5; size *= 1.31)
     for (const Vec2& shape : {Vec2{1, 1}, Vec2{1, 0.1}, Vec2{0.1, 1}}) {
       CAPTURE(size);
       CAPTURE(shape.x());

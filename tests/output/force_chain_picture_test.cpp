@@ -1,11 +1,14 @@
 #include <doctest/doctest.h>
 
-#include <cmath>
+#include <algorithm>
 #include <string>
 #include <vector>
 
+#include <riprap/dynamics/boundary/periodic_cell.hpp>
 #include <riprap/output/force_chain_picture.hpp>
+#include <riprap/simulation/simulation.hpp>
 #include <support/near.hpp>
+#include <support/rectangle.hpp>
 #include <support/still_sample.hpp>
 #include <support/svg_document.hpp>
 
@@ -15,12 +18,12 @@ using riprap::test::SvgElement;
 
 namespace {
 
-/// Forces of 200, 400, 100 and 500 N in the order east, north, west, south.
-const test::Cross uneven{.depths = {1e-5, 2e-5, 5e-6, 2.5e-5}, .slide = 1e-3};
+/// Forces of 250, 400, 100 and 550 N in the order east, north, west, south.
+const test::Cross uneven{.depths = {1.25e-5, 2e-5, 5e-6, 2.75e-5}, .slide = 1e-3};
 
-std::vector<SvgElement> picture(const test::StillSample& sample) {
+std::vector<SvgElement> picture(const test::StillSample& sample, const ForceClasses& classes = {}) {
   return test::svg_elements(
-      force_chain_picture(sample.particles(), sample.contacts(), "Forces").document());
+      force_chain_picture(sample.particles(), sample.contacts(), "Forces", classes).document());
 }
 
 /// Lines of force in the picture, those of the legend left out.
@@ -30,6 +33,22 @@ std::vector<SvgElement> chains(const std::vector<SvgElement>& elements, const As
     if (e.number("x1") < view.legend_left() && e.number("x2") < view.legend_left())
       out.push_back(e);
   return out;
+}
+
+/// The samples of the classes in the legend; the axes and the scale bar have no round ends.
+std::vector<SvgElement> legend(const std::vector<SvgElement>& elements, const AssemblyView& view) {
+  std::vector<SvgElement> out;
+  for (const SvgElement& e : test::named(elements, "line"))
+    if (e.number("x1") > view.legend_left() && !e.attribute("stroke-linecap").empty())
+      out.push_back(e);
+  return out;
+}
+
+/// Of a stroke such as hsl(4,70%,50.00%).
+double lightness(const SvgElement& line) {
+  const std::string colour = line.attribute("stroke");
+  const std::size_t begin = colour.rfind(',') + 1;
+  return SvgElement::parsed(colour.substr(begin, colour.rfind('%') - begin));
 }
 
 void check_at(const Vec2& drawn, const Vec2& expected) {
@@ -44,37 +63,97 @@ TEST_CASE("a chain runs from centroid to centroid through the contact point") {
   const AssemblyView view(sample.particles());
   const auto lines = chains(picture(sample), view);
   REQUIRE(lines.size() == 8);
-  std::size_t k = 0;
+  // Weakest class first, and within a class in the order of the contacts: west, east, north, south.
+  const std::vector<BodyIndex> driven{3, 1, 2, 4};
   sample.contacts().for_each_touching([&](const auto& c) {
-    const SvgElement& first = lines.at(k++);
-    const SvgElement& second = lines.at(k++);
+    CAPTURE(c.b);
+    const auto place = std::find(driven.begin(), driven.end(), c.b) - driven.begin();
+    const SvgElement& first = lines.at(2 * static_cast<std::size_t>(place));
+    const SvgElement& second = lines.at(2 * static_cast<std::size_t>(place) + 1);
     check_at(first.at("x1", "y1"), view(sample.particles().body(c.a).position));
     check_at(first.at("x2", "y2"), view(c.geometry.point));
-    CHECK(first.at("x2", "y2") == second.at("x1", "y1"));
-    check_at(second.at("x2", "y2"), view(sample.particles().body(c.b).position));
+    check_at(second.at("x1", "y1"), view(sample.particles().body(c.b).position));
+    check_at(second.at("x2", "y2"), view(c.geometry.point));
     CHECK(first.attribute("stroke-width") == second.attribute("stroke-width"));
   });
-  CHECK(k == 8);
 }
 
-TEST_CASE("lines are as wide as normal forces are large, 2.2 pixels for the mean") {
+TEST_CASE("across a periodic cell each half of a line stays with its particle") {
+  // Two squares of 10 mm that meet through the sides of a cell of 40 mm, 0.01 mm deep.
+  const Assembly assembly{.thickness = 0.016,
+                          .particles = {{test::rectangle({0.00499, 0}, 0.01, 0.01)},
+                                        {test::rectangle({0.035, 0}, 0.01, 0.01)}},
+                          .period = {0.04, 0.04}};
+  const Simulation sim{Model{}.criterion(NeverFails{}).boundary(PeriodicCell{}), assembly, Rock{}};
+  const AssemblyView view(sim.particles());
+  const auto all =
+      test::svg_elements(force_chain_picture(sim.particles(), sim.contacts(), "Forces").document());
+  const auto lines = chains(all, view);
+  REQUIRE(lines.size() == 2);
+  CHECK(test::outside_canvas(all) == "");
+  // Both halves are 5 mm, to the depth of the overlap.
+  for (const SvgElement& line : lines)
+    CHECK((line.at("x2", "y2") - line.at("x1", "y1")).norm() ==
+          near(0.005 * view.scale(), 1e-5 * view.scale() + 0.02));
+}
+
+TEST_CASE("a chain ends at a platen") {
+  const Assembly assembly{
+      .thickness = 0.016,
+      .particles = {{test::rectangle({0, 0}, 0.01, 0.01)},
+                    {test::rectangle({0, 0.00999}, 0.03, 0.01), Motion::platen}}};
+  const Simulation sim{Model{}.criterion(NeverFails{}), assembly, Rock{}};
+  const auto all =
+      test::svg_elements(force_chain_picture(sim.particles(), sim.contacts(), "Forces").document());
+  CHECK(chains(all, AssemblyView(sim.particles())).size() == 1);
+}
+
+TEST_CASE("a line looks like the legend's sample of its class of force") {
   const test::StillSample sample(uneven);
-  const auto lines = chains(picture(sample), AssemblyView(sample.particles()));
+  const AssemblyView view(sample.particles());
+  const auto all = picture(sample);
+  const auto lines = chains(all, view);
   REQUIRE(lines.size() == 8);
-  const std::vector<double> forces{200, 400, 100, 500};
-  for (std::size_t i = 0; i < 4; ++i)
-    // Their mean is 300 N; widths are rounded to a hundredth.
-    CHECK(lines[2 * i].number("stroke-width") == near(2.2 * forces[i] / 300, 0.0051));
+  const std::vector<SvgElement> samples = legend(all, view);
+  REQUIRE(samples.size() == 6);
+  for (std::size_t i = 0; i < 8; ++i) {
+    // 100 N; 250 and 400 N; 550 N.
+    const std::size_t expected = i < 2 ? 0 : i < 6 ? 1 : 2;
+    CAPTURE(i);
+    CHECK(lines[i].attribute("stroke-width") == samples[expected].attribute("stroke-width"));
+    CHECK(lines[i].attribute("stroke") == samples[expected].attribute("stroke"));
+  }
 }
 
-TEST_CASE("widths depend on ratios of forces only") {
+TEST_CASE("a stronger class is wider and darker, and drawn over the weaker ones") {
   const test::StillSample sample(uneven);
-  const test::StillSample soft(uneven, {.normal_stiffness = 2e4});
-  const auto lines = chains(picture(sample), AssemblyView(sample.particles()));
-  const auto soft_lines = chains(picture(soft), AssemblyView(soft.particles()));
-  REQUIRE(lines.size() == soft_lines.size());
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    CHECK(lines[i].attribute("stroke-width") == soft_lines[i].attribute("stroke-width"));
+  const AssemblyView view(sample.particles());
+  const auto all = picture(sample);
+  const auto samples = legend(all, view);
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    CHECK(samples[k].number("stroke-width") > samples[k - 1].number("stroke-width") + 0.5);
+    CHECK(lightness(samples[k]) < lightness(samples[k - 1]));
+  }
+  const auto lines = chains(all, view);
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    CHECK(lines[i].number("stroke-width") >= lines[i - 1].number("stroke-width"));
+}
+
+TEST_CASE("classes of one's own are drawn and named; in disorder they are refused") {
+  const test::StillSample sample(uneven);
+  const AssemblyView view(sample.particles());
+  const auto all = picture(sample, {{150, 450}});
+  const auto samples = legend(all, view);
+  REQUIRE(samples.size() == 3);
+  for (const char* name : {"below 150 N", "150 to 450 N", "from 450 N"})
+    CHECK_NOTHROW(static_cast<void>(test::text_element(all, name)));
+  const auto lines = chains(all, view);
+  REQUIRE(lines.size() == 8);
+  CHECK(lines[0].attribute("stroke") == samples[0].attribute("stroke"));
+  CHECK(lines[2].attribute("stroke") == samples[1].attribute("stroke"));
+  CHECK(lines[5].attribute("stroke") == samples[1].attribute("stroke"));
+  CHECK(lines[7].attribute("stroke") == samples[2].attribute("stroke"));
+  CHECK_THROWS_AS(static_cast<void>(picture(sample, {{450, 150}})), InvalidInput);
 }
 
 TEST_CASE("tangential forces do not change the picture") {
@@ -84,26 +163,21 @@ TEST_CASE("tangential forces do not change the picture") {
   CHECK(force_chain_picture(sample.particles(), sample.contacts(), "").document() == before);
 }
 
-TEST_CASE("the legend names forces that have the width shown") {
+TEST_CASE("the legend names the classes of the paper's Fig. 11, each beside its sample") {
   const test::StillSample sample(uneven);
   const AssemblyView view(sample.particles());
   const auto all = picture(sample);
+  const auto samples = legend(all, view);
+  const std::vector<std::string> names{"below 200 N",   "200 to 500 N",   "500 to 700 N",
+                                       "700 to 1000 N", "1000 to 1400 N", "from 1400 N"};
+  REQUIRE(samples.size() == names.size());
   CHECK_NOTHROW(static_cast<void>(test::text_element(all, "normal force")));
-  std::vector<double> forces;
-  for (const SvgElement& text : test::named(all, "text")) {
-    if (!text.text.ends_with(" N")) continue;
-    forces.push_back(SvgElement::parsed(text.text.substr(0, text.text.size() - 2)));
-    int samples = 0;
-    for (const SvgElement& line : test::named(all, "line"))
-      if (line.number("x1") > view.legend_left() &&
-          std::abs(line.number("y1") - text.number("y") + 5) < 0.1) {
-        ++samples;
-        CHECK(line.number("stroke-width") == near(2.2 * forces.back() / 300, 0.0051));
-      }
-    CHECK(samples == 1);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const SvgElement text = test::text_element(all, names[k]);
+    CHECK(text.number("y") - 5 == near(samples[k].number("y1"), 0.01));
+    // Not over the sample, whose round end reaches half a width further.
+    CHECK(text.number("x") > samples[k].number("x2") + 0.5 * samples[k].number("stroke-width"));
   }
-  // 300 N is round already.
-  CHECK(forces == std::vector<double>{150, 300, 600, 1200});
 }
 
 TEST_CASE("every particle is outlined, driven ones in another tone than free ones") {
@@ -116,12 +190,13 @@ TEST_CASE("every particle is outlined, driven ones in another tone than free one
   }
 }
 
-TEST_CASE("a sample without contacts has outlines, no lines and no numbers of force") {
+TEST_CASE("a sample without contacts has outlines and a legend, and no lines") {
   const test::StillSample apart(test::Cross{.depths = {-1e-4, -1e-4, -1e-4, -1e-4}});
+  const AssemblyView view(apart.particles());
   const auto all = picture(apart);
-  CHECK(chains(all, AssemblyView(apart.particles())).empty());
+  CHECK(chains(all, view).empty());
+  CHECK(legend(all, view).size() == 6);
   CHECK(test::named(all, "polygon").size() == 5);
-  for (const SvgElement& text : test::named(all, "text")) CHECK(!text.text.ends_with(" N"));
 }
 
 TEST_CASE("particles that touch without force leave no line and no broken number") {

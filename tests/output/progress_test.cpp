@@ -93,6 +93,18 @@ TEST_CASE("the stage of shear tells its strain and the breakages") {
   CHECK(count(talk.text(), "breakages 3\n") == 1);
 }
 
+TEST_CASE("breakages are those of shear, as in the summary, without those under pressure") {
+  Talk talk;
+  talk.sample.breaks().resize(4);
+  talk.progress.begin_stage(talk.view);
+  CHECK(count(talk.text(), "breakages 0\n") == 1);
+  talk.sample.breaks().resize(7);
+  talk.view.done = 1;
+  talk.view.reached_target = true;
+  talk.progress.end_stage(talk.view);
+  CHECK(count(talk.text(), "breakages 3\n") == 1);
+}
+
 TEST_CASE("stages before shear tell neither") {
   Talk talk;
   talk.view.stage = Stage::hydrostatic;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <riprap/output/svg.hpp>
+#include <riprap/output/unit_prefix.hpp>
 #include <riprap/particle/particles.hpp>
 
 namespace riprap {
@@ -16,14 +17,17 @@ namespace riprap {
 /// Maps the plane to a picture of 900 pixels with room for a title above and a legend on the right.
 class AssemblyView {
  public:
-  explicit AssemblyView(const Particles& particles) {
+  /// @param also points that are to be in the picture beside the particles
+  explicit AssemblyView(const Particles& particles, Ring also = {}) {
     Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
     Vec2 high = -low;
+    const auto include = [&](const Vec2& v) {
+      low = low.cwiseMin(v);
+      high = high.cwiseMax(v);
+    };
     for (BodyIndex i = 0; i < particles.size(); ++i)
-      for (const Vec2& v : particles.ring(i)) {
-        low = low.cwiseMin(v);
-        high = high.cwiseMax(v);
-      }
+      for (const Vec2& v : particles.ring(i)) include(v);
+    for (const Vec2& v : also) include(v);
     scale_ = extent / (high - low).maxCoeff();
     centre_ = 0.5 * (low + high);
     half_ = 0.5 * scale_ * (high - low);
@@ -46,6 +50,14 @@ class AssemblyView {
     return out;
   }
 
+  /// All particles as pale shapes to draw upon, driven ones in another tone than free ones.
+  void outlines(Svg& svg, const Particles& particles) const {
+    for (BodyIndex i = 0; i < particles.size(); ++i)
+      svg.polygon((*this)(particles.ring(i)),
+                  std::string("fill=\"") + (particles.body(i).is_free() ? "#faf7f0" : "#e3e5e8") +
+                      "\" stroke=\"#c9c4b8\" stroke-width=\"0.5\"");
+  }
+
   /// Title, the two axes and a scale bar of a round length.
   void annotate(Svg& svg, const std::string& title) const {
     svg.text({margin, 28}, title, "start", 17);
@@ -62,7 +74,9 @@ class AssemblyView {
     const double length = metres * scale_;
     const Vec2 bar{legend_left() + 14, svg.height() - 22};
     svg.line(bar, bar + Vec2{length, 0}, "stroke=\"#222\" stroke-width=\"3\"");
-    svg.text(bar + Vec2{length + 8, 5}, to_text(std::round(1e6 * metres) / 1e3) + " mm");
+    const UnitPrefix prefix = unit_prefix(metres);
+    svg.text(bar + Vec2{length + 8, 5},
+             rounded_text(metres / prefix.factor) + " " + prefix.symbol + "m");
   }
 
  private:

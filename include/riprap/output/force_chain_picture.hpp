@@ -1,60 +1,61 @@
 #pragma once
 /// @file
-/// A picture of the contact forces: a line from centroid to centroid, as wide as the normal force
-/// is large.
+/// A picture of the contact forces: lines from centroid to centroid, in classes of normal force.
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 #include <riprap/output/assembly_view.hpp>
+#include <riprap/output/force_classes.hpp>
 
 namespace riprap {
 
-/// Draws particles as outlines and normal forces as lines; widths are to the scale of the legend.
+namespace internal {
+
+/// From thin and pale for the weakest class to thick and dark for the strongest.
+[[nodiscard]] inline std::string force_class_stroke(std::size_t k, std::size_t classes) {
+  const double share = static_cast<double>(k) / static_cast<double>(classes - 1);
+  return "stroke=\"hsl(4,70%," + Svg::number(74 - 46 * share) +
+         "%)\" stroke-linecap=\"round\" stroke-width=\"" + Svg::number(0.7 + 5.3 * share) + "\"";
+}
+
+}  // namespace internal
+
+/// Draws particles as outlines and normal forces as lines, the strongest class on top, in the
+/// manner of the paper's Fig. 11.
+/// @throws InvalidInput if the classes are not in order
 template <class Contacts>
 [[nodiscard]] Svg force_chain_picture(const Particles& particles, const Contacts& contacts,
-                                      const std::string& title) {
+                                      const std::string& title, const ForceClasses& classes = {}) {
+  classes.validate();
   const AssemblyView view(particles);
   Svg svg = view.canvas();
-  for (BodyIndex i = 0; i < particles.size(); ++i)
-    svg.polygon(view(particles.ring(i)), std::string("fill=\"") +
-                                             (particles.body(i).is_free() ? "#faf7f0" : "#e3e5e8") +
-                                             "\" stroke=\"#c9c4b8\" stroke-width=\"0.5\"");
+  view.outlines(svg, particles);
 
-  double mean = 0;
-  std::size_t count = 0;
-  contacts.for_each_touching([&](const auto& c) {
-    mean += c.force.normal;
-    ++count;
-  });
-  if (count > 0) mean /= static_cast<double>(count);
-  constexpr double width_of_mean = 2.2;  // pixels
-  const auto stroke = [&](double force) {
-    return "stroke=\"#a3201d\" stroke-linecap=\"round\" stroke-width=\"" +
-           Svg::number(width_of_mean * force / mean) + "\"";
-  };
-  contacts.for_each_touching([&](const auto& c) {
-    if (c.force.normal == 0) return;  // particles that just touch
-    // Half by half through the contact point: a chain runs through the particles it loads.
-    const std::string style = stroke(c.force.normal);
-    svg.line(view(c.geometry.point - c.arm_a), view(c.geometry.point), style);
-    svg.line(view(c.geometry.point), view(c.geometry.point - c.arm_b), style);
-  });
+  for (std::size_t k = 0; k < classes.size(); ++k) {
+    const std::string style = internal::force_class_stroke(k, classes.size());
+    contacts.for_each_touching([&](const auto& c) {
+      // Zero where particles just touch.
+      if (c.force.normal == 0 || classes(c.force.normal) != k) return;
+      // A half in each particle: a chain runs through the particles it loads. Across a periodic
+      // cell each half stays with its own; a platen has none.
+      const auto half = [&](BodyIndex i, const Vec2& arm) {
+        const Vec2& centroid = particles.body(i).position;
+        if (!arm.isZero()) svg.line(view(centroid), view(centroid + arm), style);
+      };
+      half(c.a, c.arm_a);
+      half(c.b, c.arm_b);
+    });
+  }
 
   view.annotate(svg, title);
   const double left = view.legend_left() + 14;
-  svg.text({left, 70}, "normal force");
-  if (mean > 0) {
-    // A round force near the mean, and multiples of it.
-    const double decade = std::pow(10, std::floor(std::log10(mean)));
-    const double unit = decade * std::max(1.0, std::round(mean / decade));
-    double row = 70;
-    for (const double multiple : {0.5, 1.0, 2.0, 4.0}) {
-      row += 26;
-      svg.line({left, row - 5}, {left + 40, row - 5}, stroke(multiple * unit));
-      svg.text({left + 52, row}, to_text(multiple * unit) + " N");
-    }
+  double row = 70;
+  svg.text({left, row}, "normal force");
+  for (std::size_t k = 0; k < classes.size(); ++k) {
+    row += 24;
+    svg.line({left, row - 5}, {left + 30, row - 5},
+             internal::force_class_stroke(k, classes.size()));
+    svg.text({left + 42, row}, classes.name(k));
   }
   return svg;
 }

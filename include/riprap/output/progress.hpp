@@ -16,8 +16,8 @@
 
 namespace riprap {
 
-/// An observer of BiaxialTest that prints stage, share done, time left in the stage, breakages and
-/// warnings: on a terminal a line that is rewritten, elsewhere a line now and then.
+/// An observer of BiaxialTest that prints stage, share done, time left in the stage, breakages
+/// of shear and warnings: on a terminal a line that is rewritten, elsewhere a line now and then.
 class Progress {
  public:
   explicit Progress(std::FILE* out = stderr) : out_(out), in_place_(is_terminal(out)) {}
@@ -28,6 +28,7 @@ class Progress {
   template <class Sim>
   void begin_stage(const BiaxialView<Sim>& view) {
     begun_ = last_ = Clock::now();
+    breaks_before_ = view.sim.breaks().size();
     check_.begin_stage(view);
     print_warnings();
     print(view);
@@ -74,7 +75,7 @@ class Progress {
       line += ", " + seconds(elapsed * (1 - view.done) / view.done) + " left";
     if (view.stage == Stage::shear) {
       line += "  strain " + percent(view.axial_strain());
-      line += "  breakages " + std::to_string(view.sim.breaks().size());
+      line += "  breakages " + std::to_string(view.sim.breaks().size() - breaks_before_);
     }
     if (in_place_)
       std::fprintf(out_, "\r%-78s", line.c_str());
@@ -104,6 +105,7 @@ class Progress {
   bool in_place_;
   Clock::time_point begun_ = Clock::now();
   Clock::time_point last_ = begun_;
+  std::size_t breaks_before_ = 0;
   RangeCheck check_;
   std::size_t warned_ = 0;
 };

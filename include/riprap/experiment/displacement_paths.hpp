@@ -1,0 +1,65 @@
+#pragma once
+/// @file
+/// Where particles have been during shear.
+
+#include <optional>
+#include <vector>
+
+#include <riprap/experiment/stage.hpp>
+#include <riprap/particle/particles.hpp>
+#include <riprap/simulation/break_event.hpp>
+
+namespace riprap {
+
+/// An observer of BiaxialTest that keeps the centroid of every particle at each record and break.
+/// Memory grows with records times particles, not with steps.
+class DisplacementPaths {
+ public:
+  struct Path {
+    Ancestry particle;
+    std::vector<Vec2> points;    ///< centroids in order of time [m]
+    std::optional<Vec2> branch;  ///< of a piece: where the path of its parent ended
+  };
+
+  /// By particle id, broken particles included; without points for those that broke before the
+  /// first record.
+  [[nodiscard]] const std::vector<Path>& paths() const { return paths_; }
+
+  template <class Sim>
+  void record(const BiaxialView<Sim>& view) {
+    const Particles& particles = view.sim.particles();
+    for (BodyIndex i = 0; i < particles.size(); ++i)
+      path(particles.ancestry(i)).points.push_back(particles.body(i).position);
+  }
+
+  template <class Sim>
+  void record_break(const BiaxialView<Sim>& view, const BreakEvent& event) {
+    if (paths_.empty()) return;  // a break before shear
+    const Particles& particles = view.sim.particles();
+    std::vector<BodyIndex> pieces;
+    Vec2 sum{0, 0};
+    for (BodyIndex i = 0; i < particles.size(); ++i) {
+      if (particles.ancestry(i).parent != event.particle.id) continue;
+      pieces.push_back(i);
+      sum += particles.shape(i).area * particles.body(i).position;
+    }
+    // Pieces have not moved yet, so together they still have the centroid of their parent.
+    const Vec2 centroid = sum / (event.areas[0] + event.areas[1]);
+    path(event.particle).points.push_back(centroid);
+    for (const BodyIndex i : pieces) {
+      path(particles.ancestry(i)).branch = centroid;
+      path(particles.ancestry(i)).points.push_back(particles.body(i).position);
+    }
+  }
+
+ private:
+  [[nodiscard]] Path& path(const Ancestry& particle) {
+    if (paths_.size() <= particle.id) paths_.resize(particle.id + 1);
+    paths_[particle.id].particle = particle;
+    return paths_[particle.id];
+  }
+
+  std::vector<Path> paths_;
+};
+
+}  // namespace riprap

@@ -1,0 +1,122 @@
+#pragma once
+/// @file
+/// A series of files for ParaView: particles and contacts at each record.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <riprap/experiment/stage.hpp>
+#include <riprap/measurement/contact_stress.hpp>
+#include <riprap/output/vtp.hpp>
+
+namespace riprap {
+
+/// Particles as polygons. Arrays: `id`, `parent` (-1: none), `root`, `generation`; `motion`, the
+/// place in enum Motion (0: free); `velocity` [m/s] and `spin` [rad/s]; `s11`, `s22`, `s12`, the
+/// mean stress of the particle [Pa], compression positive; where particles can break, `rat`.
+template <class Sim>
+[[nodiscard]] VtpFile particles_vtp(const Sim& sim) {
+  const Particles& particles = sim.particles();
+  VtpFile file(VtpCells::polygons);
+  for (BodyIndex i = 0; i < particles.size(); ++i) file.add_cell(particles.ring(i));
+
+  const auto add = [&](const char* name, auto value) {
+    file.add_values(name, [&](std::size_t k) { return value(static_cast<BodyIndex>(k)); });
+  };
+  const auto number = [](ParticleId id) {
+    return id == no_particle ? std::int64_t{-1} : std::int64_t{id};
+  };
+  add("id", [&](BodyIndex i) { return number(particles.ancestry(i).id); });
+  add("parent", [&](BodyIndex i) { return number(particles.ancestry(i).parent); });
+  add("root", [&](BodyIndex i) { return number(particles.ancestry(i).root); });
+  add("generation", [&](BodyIndex i) { return particles.ancestry(i).generation; });
+  add("motion", [&](BodyIndex i) { return static_cast<int>(particles.body(i).motion); });
+  add("velocity", [&](BodyIndex i) { return particles.body(i).velocity; });
+  add("spin", [&](BodyIndex i) { return particles.body(i).angular_velocity; });
+  const std::vector<Stress2> stresses = contact_stresses(sim.contacts(), particles);
+  add("s11", [&](BodyIndex i) { return stresses[i].s11; });
+  add("s22", [&](BodyIndex i) { return stresses[i].s22; });
+  add("s12", [&](BodyIndex i) { return stresses[i].s12; });
+  if constexpr (Sim::breakable) {
+    const std::vector<double> ratios = sim.failed_ratios();
+    add("rat", [&](BodyIndex i) { return ratios[i]; });
+  }
+  return file;
+}
+
+/// Contacts as lines from centroid to centroid through the contact point. Arrays: `a` and `b`, the
+/// ids of the two particles; `normal_force` and `tangential_force` [N]; `depth` [m].
+template <class Sim>
+[[nodiscard]] VtpFile contacts_vtp(const Sim& sim) {
+  using ContactType = typename Sim::Contacts::ContactType;
+  std::vector<const ContactType*> contacts;
+  VtpFile file(VtpCells::lines);
+  sim.contacts().for_each_touching([&](const ContactType& c) {
+    contacts.push_back(&c);
+    const Vec2& point = c.geometry.point;
+    const std::vector<Vec2> line{point - c.arm_a, point, point - c.arm_b};
+    file.add_cell(line);
+  });
+  const auto add = [&](const char* name, auto value) {
+    file.add_values(name, [&](std::size_t k) { return value(*contacts[k]); });
+  };
+  const auto id = [&](BodyIndex i) { return sim.particles().ancestry(i).id; };
+  add("a", [&](const ContactType& c) { return id(c.a); });
+  add("b", [&](const ContactType& c) { return id(c.b); });
+  add("normal_force", [](const ContactType& c) { return c.force.normal; });
+  add("tangential_force", [](const ContactType& c) { return c.force.tangential; });
+  add("depth", [](const ContactType& c) { return c.geometry.depth; });
+  return file;
+}
+
+/// Writes `particles_0000.vtp`, `contacts_0000.vtp` and so on into a folder, and beside them the
+/// two collections to open, `particles.pvd` and `contacts.pvd`. As an observer of BiaxialTest it
+/// writes at each record, and the time of the series is the axial strain; elsewhere call `write`.
+class ParaViewSeries {
+ public:
+  /// The folder is made when the first state is written.
+  explicit ParaViewSeries(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// Adds the present state.
+  /// @param time what ParaView shows as time: sim.time() [s], a strain [-], larger at each call
+  /// @throws SimulationError if a file cannot be written
+  template <class Sim>
+  void write(const Sim& sim, double time) {
+    std::error_code ignored;  // a folder that cannot be made shows when a file is written
+    std::filesystem::create_directories(folder_, ignored);
+    const std::string file = "_" + number_text(times_.size()) + ".vtp";
+    particles_vtp(sim).save(folder_ / ("particles" + file));
+    contacts_vtp(sim).save(folder_ / ("contacts" + file));
+    times_.push_back(time);
+    // Written anew each time, so that what a stopped run leaves can be opened.
+    for (const std::string name : {"particles", "contacts"})
+      write_file(folder_ / (name + ".pvd"), collection(name));
+  }
+
+  template <class Sim>
+  void record(const BiaxialView<Sim>& view) {
+    write(view.sim, view.axial_strain());
+  }
+
+ private:
+  [[nodiscard]] static std::string number_text(std::size_t number) {
+    const std::string digits = std::to_string(number);
+    return std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
+  }
+  [[nodiscard]] std::string collection(const std::string& name) const {
+    std::string text = "<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+    for (std::size_t k = 0; k < times_.size(); ++k)
+      text += "<DataSet timestep=\"" + to_text(times_[k]) + "\" part=\"0\" file=\"" + name + "_" +
+              number_text(k) + ".vtp\"/>\n";
+    return text + "</Collection>\n</VTKFile>\n";
+  }
+
+  std::filesystem::path folder_;
+  std::vector<double> times_;
+};
+
+}  // namespace riprap
