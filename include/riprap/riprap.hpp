@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// What a simulation needs: all policies but the optional ones, Model, Simulation, the biaxial test and
-/// its records. Needs the headers of Eigen and Boost only.
+/// What a simulation needs: all policies but the optional ones, Model, Simulation, the biaxial test
+/// and its records. Needs the headers of Eigen and Boost only.
 
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
 #include <riprap/breakage/criterion/rankine.hpp>

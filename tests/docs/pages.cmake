@@ -1,6 +1,9 @@
 # A page of docs/policies shows the program of its example, to the letter, between fences; every
-# page has a program and every program a page.
+# page has a program and every program a page. The README shows examples/compose likewise, without
+# its first line.
 cmake_policy(VERSION 3.21)
+get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
+set(policies ${root}/docs/policies)
 
 file(GLOB pages ${policies}/*.md)
 file(GLOB programs ${policies}/examples/*.cpp)
@@ -30,6 +33,14 @@ foreach(program IN LISTS programs)
   endif()
 endforeach()
 
+file(READ ${root}/README.md shown)
+file(READ ${root}/examples/compose/compose.cpp text)
+string(REGEX REPLACE "^//[^\n]*\n" "" text "${text}")
+string(FIND "${shown}" "\n```cpp\n${text}```\n" place)
+if(place EQUAL -1)
+  string(APPEND violations "\n  README.md: does not show examples/compose/compose.cpp as it is")
+endif()
+
 if(violations OR NOT pages)
-  message(FATAL_ERROR "Pages and programs of docs/policies differ:${violations}\n")
+  message(FATAL_ERROR "Pages and programs differ:${violations}\n")
 endif()
