@@ -1,6 +1,6 @@
 # shellcheck shell=bash
-# Sourced by examples/run, tests/run and .ci/run: finds or installs what riprap needs, then
-# configures and builds in build/release.
+# Sourced by examples/run, tests/run and the scripts of .ci: finds or installs what riprap needs,
+# then configures and builds in build/release.
 
 root=$(CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build/release
@@ -14,6 +14,9 @@ libraries=(
   "libcli11-dev|CLI/CLI.hpp|CLI11"
   "nlohmann-json3-dev|nlohmann/json.hpp|nlohmann-json 3"
 )
+
+# Debian package | command or file that shows it is there | name
+tools=("make|make|make")
 
 # To stderr, so that what an example prints can be piped.
 say() { printf '%s\n' "$*" >&2; }
@@ -59,11 +62,15 @@ has_header() {
 
 # Fills `missing` with the packages and says what each of them is.
 look_for_needs() {
-  local library package headers name
+  local library tool package headers command name
   missing=()
   has_compiler || { missing+=(g++); say "missing: a C++20 compiler, g++ 12 or clang 16 (CXX says which)"; }
   has_cmake || { missing+=(cmake); say "missing: CMake 3.21"; }
-  command -v make >/dev/null || { missing+=(make); say "missing: make"; }
+  for tool in "${tools[@]}"; do
+    IFS='|' read -r package command name <<<"$tool"
+    [[ -e $command ]] || command -v "$command" >/dev/null ||
+      { missing+=("$package"); say "missing: $name"; }
+  done
   for library in "${libraries[@]}"; do
     IFS='|' read -r package headers name <<<"$library"
     # shellcheck disable=SC2086 # several headers

@@ -61,7 +61,7 @@ struct FailurePlanes {
   std::size_t count = 0;
 
   [[nodiscard]] std::span<const Vec2> span() const& { return {directions.data(), count}; }
-  std::span<const Vec2> span() const&& = delete;  // would outlive the planes
+  [[nodiscard]] std::span<const Vec2> span() const&& = delete;  // would outlive the planes
 
   /// Smallest angle [rad] between a direction and one of the planes.
   [[nodiscard]] double angle_to(const Vec2& direction) const {

@@ -48,6 +48,7 @@ struct Chart {
       const std::string style = "fill=\"none\" stroke=\"" + s.colour + "\" stroke-width=\"1.8\"" +
                                 (s.dashed ? " stroke-dasharray=\"6 4\"" : "");
       std::vector<Vec2> placed;
+      placed.reserve(s.points.size());
       for (const Vec2& p : s.points) placed.push_back(at(p));
       svg.polyline(placed, style);
       if (s.name.empty()) continue;
@@ -130,9 +131,12 @@ struct Chart {
   constexpr double height = 380;
   const std::size_t rows = (charts.size() + 1) / 2;
   Svg svg(charts.size() > 1 ? 2 * width : width, height * static_cast<double>(rows));
-  for (std::size_t i = 0; i < charts.size(); ++i)
-    charts[i].draw(svg, {width * static_cast<double>(i % 2), height * static_cast<double>(i / 2)},
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    const std::size_t row = i / 2;
+    const std::size_t column = i % 2;
+    charts[i].draw(svg, {width * static_cast<double>(column), height * static_cast<double>(row)},
                    {width, height});
+  }
   return svg;
 }
 

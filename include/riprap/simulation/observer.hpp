@@ -2,8 +2,6 @@
 /// @file
 /// Observers: read-only guests of a step, called only for the hooks they have.
 
-namespace riprap {
-
 /// An observer is any object with some of the member functions named here; each is called with the
 /// simulation (const). A hook that an observer does not have costs nothing. Experiments add hooks
 /// of their own.
@@ -12,7 +10,7 @@ namespace riprap {
 ///       long count = 0;
 ///       void after_step(const auto& /*sim*/) { ++count; }
 ///     };
-namespace hooks {
+namespace riprap::hooks {
 
 /// Bodies have moved, contacts are still those of the last step.
 inline constexpr auto before_forces = [](auto& observer, const auto& sim) {
@@ -44,5 +42,4 @@ inline constexpr auto after_step = [](auto& observer, const auto& sim) {
   if constexpr (requires { observer.after_step(sim); }) observer.after_step(sim);
 };
 
-}  // namespace hooks
-}  // namespace riprap
+}  // namespace riprap::hooks

@@ -131,7 +131,13 @@ class InfluenceOperator {
     rigid.col(2) /= rigid.col(2).norm() / std::sqrt(static_cast<double>(n));
     stiffness.noalias() +=
         (stiffness.trace() / static_cast<double>(2 * n * n)) * (rigid * rigid.transpose());
-    Eigen::LLT<Eigen::MatrixXd>(stiffness).solveInPlace(displacement);
+    // LDLT and a column at a time: in products of large matrices Eigen adds up in portions that
+    // suit the caches of the processor, and the last bits would depend on it.
+    const Eigen::LDLT<Eigen::MatrixXd> factors(stiffness);
+    for (Eigen::Index i = 0; i < loads; ++i) {
+      auto displaced = displacement.col(i);
+      factors.solveInPlace(displaced);
+    }
     return displacement;
   }
 

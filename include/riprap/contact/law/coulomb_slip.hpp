@@ -32,9 +32,8 @@ struct CoulombSlip {
 /// @param spring the tangential force kept in the history [N]; brought up to date
 inline void add_coulomb_slip(ContactForce& force, double& spring, double stiffness, double friction,
                              const ContactMotion& motion) {
-  const CoulombSlip slip =
-      coulomb_slip(spring, stiffness, motion.tangential_velocity, motion.time_step,
-                   friction * std::max(force.normal, 0.0));
+  const CoulombSlip slip = coulomb_slip(spring, stiffness, motion.tangential_velocity,
+                                        motion.time_step, friction * std::max(force.normal, 0.0));
   force.tangential = spring = slip.force;
   force.slipped = slip.slipped;
 }

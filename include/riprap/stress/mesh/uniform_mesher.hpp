@@ -69,8 +69,9 @@ struct UniformMesher {
       const Vec2 edge = ring[(k + 1) % ring.size()] - ring[k];
       if (edge.dot(edge) > longest.dot(longest)) longest = edge;
       mesh.corners.push_back(static_cast<std::uint32_t>(mesh.nodes.size()));
-      const double parts = std::max(1.0, std::round(edge.norm() / spacing));
-      for (double i = 0; i < parts; ++i) mesh.nodes.push_back(ring[k] + (i / parts) * edge);
+      const auto parts = static_cast<unsigned>(std::max(1.0, std::round(edge.norm() / spacing)));
+      for (unsigned i = 0; i < parts; ++i)
+        mesh.nodes.push_back(ring[k] + (static_cast<double>(i) / parts) * edge);
     }
     mesh.boundary_nodes = static_cast<std::uint32_t>(mesh.nodes.size());
 

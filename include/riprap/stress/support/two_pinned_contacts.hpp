@@ -24,7 +24,7 @@ struct TwoPinnedContacts {
 
   void settle(std::span<BoundaryLoad> loads, const InfluenceOperator& op) const {
     const auto [first, second] = pins(loads, op.mesh());
-    for (std::size_t i : {first, second})
+    for (const std::size_t i : {first, second})
       if (i < loads.size()) loads[i].force = Vec2{0, 0};
     if (first == second) {
       for (BoundaryLoad& load : loads) load.force = Vec2{0, 0};

@@ -1,0 +1,51 @@
+// curve [L1]: a short biaxial test with breakage, whose tables must be the same to the last byte
+// whatever the compiler, the level of optimisation and the processor. With L1 [kB], Eigen takes the
+// first-level cache to be of that size, as on another processor.
+//
+// A change that is meant to change results changes the hash below as well. Put in the new one,
+// which this program prints, once .ci/determinism prints the same one for both compilers. Any other
+// change that leads here is a mistake.
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include <riprap/riprap.hpp>
+
+namespace {
+
+constexpr std::uint64_t expected = 0x7518A74E04A1513Dull;
+
+// FNV-1a (Fowler, Noll and Vo) of 64 bits.
+std::uint64_t hash_of(const std::string& text) {
+  std::uint64_t hash = 0xCBF29CE484222325ull;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3ull;
+  return hash;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace riprap;
+  constexpr int kB = 1024;
+  if (argc > 1) Eigen::setCpuCacheSizes(std::atoi(argv[1]) * kB, 1024 * kB, 16 * 1024 * kB);
+
+  Simulation sim{Model{}, random_assembly({.count = 150, .seed = 1}), Rock{}};
+  Curve curve;
+  BiaxialTest{.confining_pressure = 8e6, .axial_strain = 0.02}.run(sim, curve);
+  const std::string text = curve_csv(curve) + energy_csv(curve) + breakages_csv(curve);
+  const std::uint64_t hash = hash_of(text);
+
+  std::fputs(text.c_str(), stdout);
+  std::printf("hash 0x%016llX\n", static_cast<unsigned long long>(hash));
+  if (curve.breaks().size() < 3) {
+    std::puts("too few particles broke for the hash to speak for breakage");
+    return 1;
+  }
+  if (hash != expected) {
+    std::printf("expected 0x%016llX. See the top of tests/determinism/curve.cpp.\n",
+                static_cast<unsigned long long>(expected));
+    return 1;
+  }
+}
