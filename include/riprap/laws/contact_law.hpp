@@ -28,7 +28,7 @@ template <class Law>
 template <ContactLaw Law>
 void check_contact_at_rest(const Law& law, const ContactRange& range, AxiomCheck& check) {
   const double round_off = 1e-12 * law.peak_stiffness() * range.deepest;
-  const auto force = [&](bool corner, double depth) {
+  const auto force = [&](bool corner, double depth) -> ContactForce {
     typename Law::History history{};
     return law(contact_of(range, corner, depth), {.effective_mass = range.effective_mass}, history);
   };

@@ -75,24 +75,19 @@ template <Inheritance I>
       check.equal("a piece keeps its inertia", birth.pieces[k].inertia, before.pieces[k].inertia,
                   0);
     }
-    internal::Birth faster = before;
-    faster.parent.velocity += Vec2{7, -4};
-    faster.inherit(inherit);
-    for (std::size_t k = 0; k < 2; ++k)
-      check.equal("a velocity added to the parent is added to the pieces",
-                  (faster.pieces[k].velocity - birth.pieces[k].velocity - Vec2{7, -4}).norm(), 0,
-                  1e-13);
   }
   return std::move(check).violations();
 }
 
-/// For inheritances that neither push nor turn the pieces: which momentum is not conserved.
+/// For inheritances that neither push nor stop the pieces: momentum is conserved, in whatever frame
+/// it is seen from.
 template <Inheritance I>
 [[nodiscard]] Violations inheritance_momentum_violations(const I& inherit) {
   AxiomCheck check;
   Random random(1);
   for (int i = 0; i < 100; ++i) {
-    internal::Birth birth = internal::random_birth(random);
+    const internal::Birth before = internal::random_birth(random);
+    internal::Birth birth = before;
     birth.inherit(inherit);
     // Round-off of 8 kg at 5 m and 5 m/s.
     check.equal("the momentum of the pieces is the parent's: difference [N s]",
@@ -103,6 +98,13 @@ template <Inheritance I>
                   return b.mass * cross(b.position, b.velocity) + b.inertia * b.angular_velocity;
                 }),
                 0, 1e-12);
+    internal::Birth faster = before;
+    faster.parent.velocity += Vec2{7, -4};
+    faster.inherit(inherit);
+    for (std::size_t k = 0; k < 2; ++k)
+      check.equal("a velocity added to the parent is added to the pieces",
+                  (faster.pieces[k].velocity - birth.pieces[k].velocity - Vec2{7, -4}).norm(), 0,
+                  1e-13);
   }
   return std::move(check).violations();
 }
