@@ -8,12 +8,16 @@
 int main(int argc, char** argv) {
   const Options options = read_options(argc, argv);
   try {
-    if (!options.breakage)
-      run_without_breakage(options);
-    else if (options.support == "pinned")
-      run_with_pinned_contacts(options);
-    else
+    if (options.boundary == "platens")
+      run_choices_platens(options);
+    else if (options.boundary == "periodic")
+      run_choices_periodic(options);
+    else if (!options.compiled_in())
+      run_choices_particles(options);
+    else if (options.breakage)
       run_with_inertia_relief(options);
+    else
+      run_without_breakage(options);
   } catch (const riprap::InvalidInput& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
     return 2;

@@ -38,7 +38,7 @@ Options read_options(int argc, char** argv) {
   std::string breakage = "on";
   std::string vertices = "3-5";
   CLI::App app{
-      "Biaxial test on a circular assembly of random sharp polygons: compaction, relaxation,\n"
+      "Biaxial test on an assembly of random sharp polygons: compaction, relaxation,\n"
       "hydrostatic pressure, shear; curves, pictures and a summary are written to a folder."};
   app.get_formatter()->column_width(42);
   app.option_defaults()->always_capture_default();
@@ -54,6 +54,13 @@ Options read_options(int argc, char** argv) {
       ->check(CLI::IsMember({"xy", "x", "y"}));
   app.add_option("--support", o.support, "of a particle in its stress analysis")
       ->check(CLI::IsMember({"inertia-relief", "pinned"}));
+  app.add_option("--boundary", o.boundary,
+                 "what encloses the sample: a ring of particles, four platens, a periodic cell")
+      ->check(CLI::IsMember({"particles", "platens", "periodic"}));
+  app.add_option("--contact", o.contact, "law: linear springs, overlap area, springs with dashpot")
+      ->check(CLI::IsMember({"linear", "area", "dashpot"}));
+  app.add_option("--integrator", o.integrator, "symplectic Euler or velocity Verlet")
+      ->check(CLI::IsMember({"euler", "verlet"}));
   app.add_option("--mean-diameter", o.mean_diameter, "of the circles of equal area [m]");
   app.add_option("--thickness", o.thickness, "out of plane [m]");
   app.add_option("--vertices", vertices, "of a polygon: a count or a range [-]");
@@ -93,6 +100,22 @@ AnyLineFit chosen_line_fit(const Options& options) {
 AnyPlane chosen_plane(const Options& options) {
   if (options.plane == "strain") return {riprap::PlaneStrain{}};
   return {riprap::PlaneStress{}};
+}
+
+AnyContact chosen_contact(const Options& options) {
+  if (options.contact == "area") return {riprap::OverlapAreaSpring{}};
+  if (options.contact == "dashpot") return {riprap::SpringDashpot{}};
+  return {riprap::LinearSpringCoulomb{}};
+}
+
+AnyIntegrator chosen_integrator(const Options& options) {
+  if (options.integrator == "verlet") return {riprap::VelocityVerlet{}};
+  return {riprap::SymplecticEuler{}};
+}
+
+AnySupport chosen_support(const Options& options) {
+  if (options.support == "pinned") return {riprap::TwoPinnedContacts{}};
+  return {riprap::InertiaRelief{}};
 }
 
 riprap::RandomAssembly chosen_assembly(const Options& options) {

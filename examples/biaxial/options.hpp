@@ -6,8 +6,11 @@
 
 #include <riprap/breakage/criterion/criterion_choice.hpp>
 #include <riprap/breakage/line_fit/line_fit_choice.hpp>
+#include <riprap/contact/law/contact_law_choice.hpp>
+#include <riprap/dynamics/integrator/integrator_choice.hpp>
 #include <riprap/riprap.hpp>
 #include <riprap/stress/plane_state/plane_state_choice.hpp>
+#include <riprap/stress/support/support_choice.hpp>
 
 struct Options {
   unsigned particles = 500;
@@ -18,6 +21,9 @@ struct Options {
   std::string criterion = "hoek-brown";
   std::string line_fit = "xy";
   std::string support = "inertia-relief";
+  std::string boundary = "particles";
+  std::string contact = "linear";
+  std::string integrator = "euler";
   double mean_diameter = 0.016;
   double thickness = 0.016;
   unsigned fewest_vertices = 3;
@@ -31,9 +37,15 @@ struct Options {
   double maximum_piece_aspect = 3;
   std::string out = "biaxial-out";
   bool paraview = false;
+
+  // Do contact law, integrator and support have their defaults, for which there is a program
+  // without choices?
+  [[nodiscard]] bool compiled_in() const {
+    return contact == "linear" && integrator == "euler" && support == "inertia-relief";
+  }
 };
 
-// What random_assembly is to make.
+// What the assembly is to be made of.
 riprap::RandomAssembly chosen_assembly(const Options& options);
 
 // Fills the options from the command line; exits on --help and on unknown or malformed options.
@@ -41,15 +53,24 @@ Options read_options(int argc, char** argv);
 
 using AnyCriterion = riprap::CriterionChoice<riprap::HoekBrown, riprap::MohrCoulomb>;
 using AnyLineFit = riprap::LineFitChoice<riprap::WeightedXY, riprap::WeightedX, riprap::WeightedY>;
+using AnyContact = riprap::ContactLawChoice<riprap::LinearSpringCoulomb, riprap::OverlapAreaSpring,
+                                            riprap::SpringDashpot>;
+using AnyIntegrator = riprap::IntegratorChoice<riprap::SymplecticEuler, riprap::VelocityVerlet>;
+using AnySupport = riprap::SupportChoice<riprap::InertiaRelief, riprap::TwoPinnedContacts>;
 using AnyPlane = riprap::PlaneStateChoice<riprap::PlaneStress, riprap::PlaneStrain>;
 
 // What is chosen at run time goes through one more model of its role ...
 AnyCriterion chosen_criterion(const Options& options);
 AnyLineFit chosen_line_fit(const Options& options);
 AnyPlane chosen_plane(const Options& options);
+AnyContact chosen_contact(const Options& options);
+AnyIntegrator chosen_integrator(const Options& options);
+AnySupport chosen_support(const Options& options);
 
-// ... what is composed at compile time (contact law, integrator, support, breakage) makes three
-// programs, one source file each.
+// ... and costs a little in the hot loops, so that the default has two programs of its own. Which
+// boundary there is decides at compile time whether the plane is periodic. One source file each.
 void run_with_inertia_relief(const Options& options);
-void run_with_pinned_contacts(const Options& options);
 void run_without_breakage(const Options& options);
+void run_choices_particles(const Options& options);
+void run_choices_platens(const Options& options);
+void run_choices_periodic(const Options& options);

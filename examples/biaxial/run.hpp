@@ -13,11 +13,9 @@
 #include "options.hpp"
 #include "summary.hpp"
 
-// The model that both breakable programs share; they differ in the support.
+// What all programs share.
 inline auto breakable_model(const Options& o) {
   return riprap::Model{}
-      .contact(riprap::LinearSpringCoulomb{})
-      .integrator(riprap::SymplecticEuler{})
       .criterion(chosen_criterion(o))
       .line_fit(chosen_line_fit(o))
       .plane_state(chosen_plane(o))
@@ -26,6 +24,25 @@ inline auto breakable_model(const Options& o) {
       .splitter(riprap::StraightCut{.minimum_area = o.minimum_piece_area,
                                     .maximum_aspect = o.maximum_piece_aspect})
       .check_every(o.check_every);
+}
+
+// The same with a choice of contact law, integrator and support.
+inline auto model_of_choices(const Options& o) {
+  return breakable_model(o)
+      .contact(chosen_contact(o))
+      .integrator(chosen_integrator(o))
+      .support(chosen_support(o));
+}
+
+// The assembly that goes with a boundary.
+inline riprap::Assembly assembly_for(const riprap::StrainField&, const Options& o) {
+  return riprap::random_assembly(chosen_assembly(o));
+}
+inline riprap::Assembly assembly_for(const riprap::RigidPlatens&, const Options& o) {
+  return riprap::random_platen_assembly(chosen_assembly(o));
+}
+inline riprap::Assembly assembly_for(const riprap::PeriodicCell&, const Options& o) {
+  return riprap::random_periodic_assembly(chosen_assembly(o));
 }
 
 // An observer that draws the assembly and its forces at the start and the end of shear, and the
@@ -96,7 +113,9 @@ void run(const Options& o, ModelType model) {
   using namespace riprap;
   const std::filesystem::path folder = o.out;
   std::filesystem::create_directories(folder);
-  Simulation sim{std::move(model), random_assembly(chosen_assembly(o)), Rock{}};
+  const Assembly assembly = assembly_for(model.motion_model.boundary, o);
+  Simulation sim{std::move(model), assembly, Rock{}};
+  sim.set_breakage(o.breakage);
   const BiaxialTest test{.confining_pressure = o.pressure,
                          .axial_strain = o.strain,
                          .inertial_number = o.inertial_number};

@@ -1,7 +1,5 @@
-// Breakable particles, free in their stress analysis.
+// Breakable particles, free in their stress analysis, with everything at its default.
 
 #include "run.hpp"
 
-void run_with_inertia_relief(const Options& options) {
-  run(options, breakable_model(options).support(riprap::InertiaRelief{}));
-}
+void run_with_inertia_relief(const Options& options) { run(options, breakable_model(options)); }

@@ -1,4 +1,4 @@
-// Particles that never break: no stress analysis in the program.
+// Particles that never break, with everything at its default: no stress analysis in the program.
 
 #include "run.hpp"
 

@@ -76,29 +76,53 @@ inline Json criterion_json(const riprap::MohrCoulomb& c) {
           {"tension_Pa", c.tension}};
 }
 
+inline Json contact_json(const riprap::LinearSpringCoulomb& law) {
+  return {{"law", "linear"},
+          {"normal_stiffness_N_m", law.normal_stiffness},
+          {"tangential_stiffness_N_m", law.tangential_stiffness},
+          {"friction", law.friction}};
+}
+inline Json contact_json(const riprap::OverlapAreaSpring& law) {
+  return {{"law", "area"},
+          {"area_stiffness_N_m3", law.area_stiffness},
+          {"largest_chord_m", law.largest_chord},
+          {"tangential_stiffness_N_m", law.tangential_stiffness},
+          {"friction", law.friction}};
+}
+inline Json contact_json(const riprap::SpringDashpot& law) {
+  return {{"law", "dashpot"},
+          {"normal_stiffness_N_m", law.normal_stiffness},
+          {"tangential_stiffness_N_m", law.tangential_stiffness},
+          {"damping_ratio", law.damping_ratio},
+          {"may_pull", law.may_pull},
+          {"friction", law.friction}};
+}
+inline Json contact_json(const AnyContact& law) {
+  return std::visit([](const auto& l) { return contact_json(l); }, law.chosen);
+}
+
 // Every parameter, read from what was run.
 template <class Sim>
 Json parameters_json(const Options& o, const Sim& sim, const riprap::BiaxialTest& test) {
-  const auto& law = sim.contacts().law();
   const auto& motion = sim.model().motion_model;
+  Json contact = contact_json(sim.contacts().law());
+  contact["relative_skin"] = sim.model().contact_model.broad_phase.relative_skin;
   Json j = {{"assembly", assembly_json(chosen_assembly(o))},
             {"test", test_json(test)},
             {"rock",
              {{"density_kg_m3", sim.rock().density},
               {"young_Pa", sim.rock().young},
               {"poisson", sim.rock().poisson}}},
-            {"contact",
-             {{"law", "linear springs with Coulomb slip"},
-              {"normal_stiffness_N_m", law.normal_stiffness},
-              {"tangential_stiffness_N_m", law.tangential_stiffness},
-              {"friction", law.friction},
-              {"relative_skin", sim.model().contact_model.broad_phase.relative_skin}}},
+            {"contact", contact},
             {"motion",
-             {{"integrator", "symplectic Euler"},
+             {{"boundary", o.boundary},
+              {"integrator", o.integrator},
               {"local_damping", motion.damping.coefficient},
               {"time_step_fraction", motion.time_step.fraction},
               {"time_step_s", sim.time_step()}}}};
+  j["breakage"] = "off";
   if constexpr (Sim::breakable) {
+    if (!o.breakage) return j;
     const auto& stress = sim.model().stress_model;
     const auto& breakage = sim.model().breakage_model;
     j["stress"] = {
@@ -110,8 +134,6 @@ Json parameters_json(const Options& o, const Sim& sim, const riprap::BiaxialTest
                      {"minimum_piece_area", breakage.splitter.minimum_area},
                      {"maximum_piece_aspect", breakage.splitter.maximum_aspect},
                      {"check_every", breakage.check_every}};
-  } else {
-    j["breakage"] = "off";
   }
   return j;
 }
@@ -141,7 +163,7 @@ Json numbers_json(const Options& o, const Sim& sim, const riprap::BiaxialResult&
     full_gap += std::abs(p.sin_phi_fabric_full() - p.sin_phi()) / count;
   }
   Json j = {
-      {"kappa", riprap::stiffness_level(o.pressure, o.thickness, law.normal_stiffness)},
+      {"kappa", riprap::stiffness_level(o.pressure, o.thickness, law.peak_stiffness())},
       {"pressure_over_compressive_strength",
        o.pressure / chosen_criterion(o).major_stress_at_failure(0)},
       {"time_step_over_sqrt_m_k",
@@ -221,7 +243,7 @@ void print_summary(const Options& o, const Sim& sim, const riprap::Curve& curve,
       end.coordination.coordination_number, end.breakages, curve.breakages_before_shear());
   std::printf("kappa %.2g, overlap/d %.2g, inertial number %.2g, unbalanced force %.2g, "
               "dt/sqrt(m/k) %.2g\n",
-              riprap::stiffness_level(o.pressure, o.thickness, law.normal_stiffness),
+              riprap::stiffness_level(o.pressure, o.thickness, law.peak_stiffness()),
               end.overlap_ratio, end.inertial_number, end.state.unbalanced_force,
               riprap::time_step_ratio(sim.time_step(), sim.particles(), law.peak_stiffness()));
   std::printf(

@@ -24,7 +24,7 @@ struct ContactLawChoice {
   [[nodiscard]] ContactForce operator()(const ContactGeometry& geometry,
                                         const ContactMotion& motion, History& history) const {
     return std::visit(
-        [&]<class Law>(const Law& law) {
+        [&]<class Law>(const Law& law) -> ContactForce {
           if (!std::holds_alternative<HistoryOf<Law>>(history)) history = HistoryOf<Law>{};
           return law(geometry, motion, std::get<HistoryOf<Law>>(history).history);
         },
@@ -33,25 +33,21 @@ struct ContactLawChoice {
   [[nodiscard]] double stored_energy(const ContactGeometry& geometry,
                                      const History& history) const {
     return std::visit(
-        [&]<class Law>(const Law& law) {
+        [&]<class Law>(const Law& law) -> double {
           const auto* own = std::get_if<HistoryOf<Law>>(&history);
-          return double(law.stored_energy(geometry, own ? own->history : typename Law::History{}));
+          return law.stored_energy(geometry, own ? own->history : typename Law::History{});
         },
         chosen);
   }
   [[nodiscard]] double peak_stiffness() const {
-    return std::visit([](const auto& law) { return double(law.peak_stiffness()); }, chosen);
+    return std::visit([](const auto& law) -> double { return law.peak_stiffness(); }, chosen);
   }
   [[nodiscard]] ContactLawChoice frictionless() const {
     return std::visit([](const auto& law) { return ContactLawChoice{riprap::frictionless(law)}; },
                       chosen);
   }
   void validate() const {
-    std::visit(
-        [](const auto& law) {
-          if constexpr (requires { law.validate(); }) law.validate();
-        },
-        chosen);
+    std::visit([](const auto& law) { riprap::validate(law); }, chosen);
   }
 };
 

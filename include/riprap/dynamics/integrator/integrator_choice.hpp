@@ -31,6 +31,9 @@ struct IntegratorChoice {
   [[nodiscard]] double first_kick() const {
     return std::visit([](const auto& i) { return riprap::first_kick(i); }, chosen);
   }
+  void validate() const {
+    std::visit([](const auto& i) { riprap::validate(i); }, chosen);
+  }
 };
 
 }  // namespace riprap

@@ -20,6 +20,9 @@ struct SupportChoice {
   void settle(std::span<BoundaryLoad> loads, const InfluenceOperator& op) const {
     std::visit([&](const auto& support) { support.settle(loads, op); }, chosen);
   }
+  void validate() const {
+    std::visit([](const auto& support) { riprap::validate(support); }, chosen);
+  }
 };
 
 }  // namespace riprap

@@ -1,0 +1,7 @@
+// Contact law, integrator and support chosen at run time; boundary: particles in a strain field.
+
+#include "run.hpp"
+
+void run_choices_particles(const Options& options) {
+  run(options, model_of_choices(options).boundary(riprap::StrainField{}));
+}

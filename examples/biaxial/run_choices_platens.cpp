@@ -1,0 +1,7 @@
+// Contact law, integrator and support chosen at run time; boundary: rigid platens.
+
+#include "run.hpp"
+
+void run_choices_platens(const Options& options) {
+  run(options, model_of_choices(options).boundary(riprap::RigidPlatens{}));
+}
