@@ -10,6 +10,16 @@
 
 using namespace riprap;
 
+namespace {
+
+// A shipped policy whose parameters are never right.
+template <class P>
+struct Refused : P {
+  void validate() const { throw InvalidInput("refused"); }
+};
+
+}  // namespace
+
 TEST_CASE("a setter exchanges one policy and keeps the others with their settings") {
   const auto first = Model{}
                          .contact(LinearSpringCoulomb{.friction = 0.25})
@@ -53,9 +63,9 @@ TEST_CASE("every setter puts its policy in its place") {
 }
 
 TEST_CASE("an invalid policy is named with its value and its rule") {
-  CHECK_THROWS_WITH_AS(
-      Model{}.contact(LinearSpringCoulomb{.friction = -0.5}).validate(),
-      "LinearSpringCoulomb.friction = -0.5: must be a finite number, 0 or above", InvalidInput);
+  CHECK_THROWS_WITH_AS(Model{}.contact(LinearSpringCoulomb{.friction = -0.5}).validate(),
+                       "LinearSpringCoulomb.friction = -0.5: must be a finite number, 0 or above",
+                       InvalidInput);
   CHECK_THROWS_WITH_AS(Model{}.damping(LocalDamping{1.5}).validate(),
                        "LocalDamping.coefficient = 1.5: must lie in [0, 1)", InvalidInput);
   CHECK_THROWS_WITH_AS(Model{}.check_every(0).validate(),
@@ -64,4 +74,24 @@ TEST_CASE("an invalid policy is named with its value and its rule") {
   CHECK_THROWS_AS(Model{}.criterion(HoekBrown{.m_b = 0}).validate(), InvalidInput);
   CHECK_THROWS_AS(Model{}.trigger(FailedElementRatio{-1}).validate(), InvalidInput);
   CHECK_NOTHROW(Model{}.validate());
+}
+
+TEST_CASE("the policy of every role is asked whether its parameters are right") {
+  const auto refuses = [](const auto& model) { CHECK_THROWS_AS(model.validate(), InvalidInput); };
+  refuses(Model{}.broad_phase(Refused<UniformGrid>{}));
+  refuses(Model{}.narrow_phase(Refused<OverlapChord>{}));
+  refuses(Model{}.contact(Refused<LinearSpringCoulomb>{}));
+  refuses(Model{}.integrator(Refused<SymplecticEuler>{}));
+  refuses(Model{}.damping(Refused<LocalDamping>{}));
+  refuses(Model{}.time_step(Refused<MassFloor>{}));
+  refuses(Model{}.boundary(Refused<StrainField>{}));
+  refuses(Model{}.mesher(Refused<UniformMesher>{}));
+  refuses(Model{}.element(Refused<ConstantStrainTriangle>{}));
+  refuses(Model{}.plane_state(Refused<PlaneStress>{}));
+  refuses(Model{}.support(Refused<InertiaRelief>{}));
+  refuses(Model{}.criterion(Refused<HoekBrown>{}));
+  refuses(Model{}.trigger(Refused<FailedElementRatio>{}));
+  refuses(Model{}.line_fit(Refused<WeightedXY>{}));
+  refuses(Model{}.splitter(Refused<StraightCut>{}));
+  refuses(Model{}.inheritance(Refused<RigidField>{}));
 }

@@ -55,6 +55,18 @@ struct AngleIsNoNumber : archetype::FailureCriterion {
 struct SaysThatItCanFail : StraightLine {
   static constexpr bool never_fails = false;
 };
+struct CurveIsNotConst : archetype::FailureCriterion {
+  double major_stress_at_failure(double minor) { return minor; }
+};
+struct CurveIsNoNumber : archetype::FailureCriterion {
+  Vec2 major_stress_at_failure(double minor) const { return {minor, 0}; }
+};
+struct TensionIsNoNumber : archetype::FailureCriterion {
+  Vec2 tensile_strength() const { return {1, 0}; }
+};
+struct AngleChangesTheStress : archetype::FailureCriterion {
+  double friction_angle(double& minor) const { return minor; }
+};
 
 static_assert(FailureCriterion<archetype::FailureCriterion>);
 static_assert(FailureCriterion<StraightLine>);
@@ -65,6 +77,10 @@ static_assert(!FailureCriterion<NotConst>);
 static_assert(!FailureCriterion<ChangesTheStress>);
 static_assert(!FailureCriterion<AngleIsNotConst>);
 static_assert(!FailureCriterion<AngleIsNoNumber>);
+static_assert(!FailureCriterion<CurveIsNotConst>);
+static_assert(!FailureCriterion<CurveIsNoNumber>);
+static_assert(!FailureCriterion<TensionIsNoNumber>);
+static_assert(!FailureCriterion<AngleChangesTheStress>);
 static_assert(!never_fails<StraightLine>);
 static_assert(!never_fails<SaysThatItCanFail>);
 

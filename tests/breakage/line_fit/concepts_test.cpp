@@ -23,6 +23,9 @@ struct ChangesThePoints : archetype::LineFit {
 struct ChangesThePlanes : archetype::LineFit {
   Line operator()(std::span<const WeightedPoint>, FailurePlanes&) const { return {}; }
 };
+struct ChangesTheSpan : archetype::LineFit {
+  Line operator()(std::span<const WeightedPoint>&, const FailurePlanes&) const { return {}; }
+};
 
 static_assert(LineFit<archetype::LineFit>);
 static_assert(!LineFit<NotCallable>);
@@ -30,6 +33,7 @@ static_assert(!LineFit<NotConst>);
 static_assert(!LineFit<BareDirection>);
 static_assert(!LineFit<ChangesThePoints>);
 static_assert(!LineFit<ChangesThePlanes>);
+static_assert(!LineFit<ChangesTheSpan>);
 
 }  // namespace
 

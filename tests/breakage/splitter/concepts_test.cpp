@@ -20,12 +20,20 @@ struct OnePiece : archetype::Splitter {
 struct ChangesTheLine : archetype::Splitter {
   CutRings operator()(Ring, Line&, double) const { return {}; }
 };
+struct ChangesTheRing : archetype::Splitter {
+  CutRings operator()(Ring&, const Line&, double) const { return {}; }
+};
+struct ChangesTheArea : archetype::Splitter {
+  CutRings operator()(Ring, const Line&, double&) const { return {}; }
+};
 
 static_assert(Splitter<archetype::Splitter>);
 static_assert(!Splitter<NotCallable>);
 static_assert(!Splitter<NotConst>);
 static_assert(!Splitter<OnePiece>);
 static_assert(!Splitter<ChangesTheLine>);
+static_assert(!Splitter<ChangesTheRing>);
+static_assert(!Splitter<ChangesTheArea>);
 
 }  // namespace
 

@@ -26,6 +26,12 @@ struct StrengthIsNotConst : archetype::BreakageTrigger {
 struct StrengthIsNoNumber : archetype::BreakageTrigger {
   Vec2 strength_factor(ParticleId, double) const { return {1, 1}; }
 };
+struct StrengthChangesTheId : archetype::BreakageTrigger {
+  double strength_factor(ParticleId&, double) const { return 1; }
+};
+struct StrengthChangesTheArea : archetype::BreakageTrigger {
+  double strength_factor(ParticleId, double&) const { return 1; }
+};
 
 static_assert(BreakageTrigger<archetype::BreakageTrigger>);
 static_assert(!BreakageTrigger<NotCallable>);
@@ -34,6 +40,8 @@ static_assert(!BreakageTrigger<DecidesNothing>);
 static_assert(!BreakageTrigger<ChangesTheTally>);
 static_assert(!BreakageTrigger<StrengthIsNotConst>);
 static_assert(!BreakageTrigger<StrengthIsNoNumber>);
+static_assert(!BreakageTrigger<StrengthChangesTheId>);
+static_assert(!BreakageTrigger<StrengthChangesTheArea>);
 
 }  // namespace
 

@@ -23,6 +23,12 @@ struct ChangesTheBoxes : archetype::BroadPhase {
 struct KnowsItsVisitor : archetype::BroadPhase {
   void visit_pairs(std::span<const Box>, void (*)(BodyIndex, BodyIndex)) const {}
 };
+struct SkinIsNoNumber : archetype::BroadPhase {
+  Vec2 relative_skin{0, 0};
+};
+struct ChangesTheSpan : archetype::BroadPhase {
+  void visit_pairs(std::span<const Box>&, auto&&) const {}
+};
 
 static_assert(BroadPhase<archetype::BroadPhase>);
 static_assert(!BroadPhase<WithoutSkin>);
@@ -30,6 +36,8 @@ static_assert(!BroadPhase<WithoutPairs>);
 static_assert(!BroadPhase<ChangesItself>);
 static_assert(!BroadPhase<ChangesTheBoxes>);
 static_assert(!BroadPhase<KnowsItsVisitor>);
+static_assert(!BroadPhase<SkinIsNoNumber>);
+static_assert(!BroadPhase<ChangesTheSpan>);
 
 }  // namespace
 

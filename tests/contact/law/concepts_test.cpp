@@ -38,6 +38,21 @@ struct EnergyChangesTheHistory : archetype::ContactLaw {
 struct WithoutStiffness : archetype::ContactLaw {
   void peak_stiffness() const {}
 };
+struct ChangesTheMotion : archetype::ContactLaw {
+  ContactForce operator()(const ContactGeometry&, ContactMotion&, History&) const { return {}; }
+};
+struct EnergyIsNotConst : archetype::ContactLaw {
+  double stored_energy(const ContactGeometry&, const History&) { return 0; }
+};
+struct EnergyIsNoNumber : archetype::ContactLaw {
+  Vec2 stored_energy(const ContactGeometry&, const History&) const { return {0, 0}; }
+};
+struct EnergyChangesTheGeometry : archetype::ContactLaw {
+  double stored_energy(ContactGeometry&, const History&) const { return 0; }
+};
+struct StiffnessIsNotConst : archetype::ContactLaw {
+  double peak_stiffness() { return 1; }
+};
 
 static_assert(ContactLaw<archetype::ContactLaw>);
 static_assert(!ContactLaw<WithoutHistory>);
@@ -48,6 +63,11 @@ static_assert(!ContactLaw<ChangesTheGeometry>);
 static_assert(!ContactLaw<WithoutEnergy>);
 static_assert(!ContactLaw<EnergyChangesTheHistory>);
 static_assert(!ContactLaw<WithoutStiffness>);
+static_assert(!ContactLaw<ChangesTheMotion>);
+static_assert(!ContactLaw<EnergyIsNotConst>);
+static_assert(!ContactLaw<EnergyIsNoNumber>);
+static_assert(!ContactLaw<EnergyChangesTheGeometry>);
+static_assert(!ContactLaw<StiffnessIsNotConst>);
 
 }  // namespace
 

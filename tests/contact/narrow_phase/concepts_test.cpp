@@ -34,6 +34,9 @@ struct BareDepth : archetype::NarrowPhase {
 struct ChangesTheRing : archetype::NarrowPhase {
   std::optional<ContactGeometry> operator()(Ring&, Ring, Memory&) const { return {}; }
 };
+struct ChangesTheOtherRing : archetype::NarrowPhase {
+  std::optional<ContactGeometry> operator()(Ring, Ring&, Memory&) const { return {}; }
+};
 
 static_assert(NarrowPhase<archetype::NarrowPhase>);
 static_assert(!NarrowPhase<WithoutMemory>);
@@ -42,6 +45,7 @@ static_assert(!NarrowPhase<MemoryThatStays>);
 static_assert(!NarrowPhase<NotConst>);
 static_assert(!NarrowPhase<BareDepth>);
 static_assert(!NarrowPhase<ChangesTheRing>);
+static_assert(!NarrowPhase<ChangesTheOtherRing>);
 
 }  // namespace
 

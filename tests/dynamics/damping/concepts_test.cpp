@@ -20,12 +20,16 @@ struct ForceOnly : archetype::Damping {
 struct ChangesTheBody : archetype::Damping {
   Wrench operator()(Body&, const Wrench&) const { return {}; }
 };
+struct ChangesTheWrench : archetype::Damping {
+  Wrench operator()(const Body&, Wrench&) const { return {}; }
+};
 
 static_assert(Damping<archetype::Damping>);
 static_assert(!Damping<NotCallable>);
 static_assert(!Damping<NotConst>);
 static_assert(!Damping<ForceOnly>);
 static_assert(!Damping<ChangesTheBody>);
+static_assert(!Damping<ChangesTheWrench>);
 
 }  // namespace
 

@@ -33,6 +33,21 @@ struct Remembers : archetype::Integrator {
 struct ChangesTheWrench : archetype::Integrator {
   void advance(Body&, Wrench&, double) const {}
 };
+struct NeedsFinishOfAnObject : archetype::Integrator {
+  bool needs_finish = true;
+};
+struct ChangesTheStep : archetype::Integrator {
+  void advance(Body&, const Wrench&, double&) const {}
+};
+struct FinishIsNotConst : archetype::Integrator {
+  void finish(Body&, const Wrench&, double) {}
+};
+struct FinishChangesTheWrench : archetype::Integrator {
+  void finish(Body&, Wrench&, double) const {}
+};
+struct FinishChangesTheStep : archetype::Integrator {
+  void finish(Body&, const Wrench&, double&) const {}
+};
 
 static_assert(Integrator<archetype::Integrator>);
 static_assert(!Integrator<WithoutOrder>);
@@ -43,6 +58,11 @@ static_assert(!Integrator<WithoutAdvance>);
 static_assert(!Integrator<WithoutFinish>);
 static_assert(!Integrator<Remembers>);
 static_assert(!Integrator<ChangesTheWrench>);
+static_assert(!Integrator<NeedsFinishOfAnObject>);
+static_assert(!Integrator<ChangesTheStep>);
+static_assert(!Integrator<FinishIsNotConst>);
+static_assert(!Integrator<FinishChangesTheWrench>);
+static_assert(!Integrator<FinishChangesTheStep>);
 
 struct OneKick : archetype::Integrator {
   using archetype::Integrator::Integrator;

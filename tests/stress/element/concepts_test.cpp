@@ -23,6 +23,19 @@ struct GivesAnExpression : archetype::Element {
 struct ChangesTheCorners : archetype::Element {
   Eigen::Matrix3d mass(std::array<Vec2, 3>&) const { return Eigen::Matrix3d::Zero(); }
 };
+struct StrainIsNotConst : archetype::Element {
+  StrainDisplacement strain_displacement(const std::array<Vec2, 3>&) {
+    return StrainDisplacement::Zero();
+  }
+};
+struct StrainIsAnExpression : archetype::Element {
+  auto strain_displacement(const std::array<Vec2, 3>&) const { return StrainDisplacement::Zero(); }
+};
+struct StrainChangesTheCorners : archetype::Element {
+  StrainDisplacement strain_displacement(std::array<Vec2, 3>&) const {
+    return StrainDisplacement::Zero();
+  }
+};
 
 static_assert(Element<archetype::Element>);
 static_assert(!Element<WithoutStrain>);
@@ -30,6 +43,9 @@ static_assert(!Element<WithoutMass>);
 static_assert(!Element<NotConst>);
 static_assert(!Element<GivesAnExpression>);
 static_assert(!Element<ChangesTheCorners>);
+static_assert(!Element<StrainIsNotConst>);
+static_assert(!Element<StrainIsAnExpression>);
+static_assert(!Element<StrainChangesTheCorners>);
 
 }  // namespace
 

@@ -23,6 +23,18 @@ struct GivesAnExpression : archetype::PlaneState {
 struct ChangesTheRock : archetype::PlaneState {
   Eigen::Matrix3d elasticity(Rock&) const { return Eigen::Matrix3d::Zero(); }
 };
+struct StressIsNotConst : archetype::PlaneState {
+  double out_of_plane_stress(const Rock&, const Stress2&) { return 0; }
+};
+struct StressIsNoNumber : archetype::PlaneState {
+  Vec2 out_of_plane_stress(const Rock&, const Stress2&) const { return {0, 0}; }
+};
+struct StressChangesTheRock : archetype::PlaneState {
+  double out_of_plane_stress(Rock&, const Stress2&) const { return 0; }
+};
+struct StressChangesTheStress : archetype::PlaneState {
+  double out_of_plane_stress(const Rock&, Stress2&) const { return 0; }
+};
 
 static_assert(PlaneState<archetype::PlaneState>);
 static_assert(!PlaneState<WithoutElasticity>);
@@ -30,6 +42,10 @@ static_assert(!PlaneState<WithoutStress>);
 static_assert(!PlaneState<NotConst>);
 static_assert(!PlaneState<GivesAnExpression>);
 static_assert(!PlaneState<ChangesTheRock>);
+static_assert(!PlaneState<StressIsNotConst>);
+static_assert(!PlaneState<StressIsNoNumber>);
+static_assert(!PlaneState<StressChangesTheRock>);
+static_assert(!PlaneState<StressChangesTheStress>);
 
 }  // namespace
 
