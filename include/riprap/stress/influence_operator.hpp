@@ -43,7 +43,7 @@ class InfluenceOperator {
       for (int k = 0; k < 3; ++k)
         nodal.middleRows<2>(2 * k) = displacement.middleRows<2>(
             2 * static_cast<Eigen::Index>(mesh_.triangles[e][static_cast<std::size_t>(k)]));
-      const Eigen::Matrix<double, 3, Eigen::Dynamic> rows = to_stress * nodal;
+      const Eigen::Matrix<double, 3, Eigen::Dynamic> rows = to_stress.lazyProduct(nodal);
       for (int c = 0; c < 3; ++c)
         stress_.row(c * elements + static_cast<Eigen::Index>(e)) = rows.row(c);
     }
@@ -120,19 +120,19 @@ class InfluenceOperator {
         Eigen::Map<Eigen::VectorXd, 0, Stride>(inertial.col(mode).data() + axis, n) =
             mass * Eigen::Map<const Eigen::VectorXd, 0, Stride>(rigid.col(mode).data() + axis, n);
     }
-    const Eigen::Vector3d modal_mass = (rigid.transpose() * inertial).diagonal();
+    const Eigen::Vector3d modal_mass = rigid.cwiseProduct(inertial).colwise().sum();
 
     const Eigen::Index loads = 2 * static_cast<Eigen::Index>(mesh_.boundary_nodes);
     Eigen::MatrixXd displacement = Eigen::MatrixXd::Identity(2 * n, loads);
-    displacement.noalias() -=
-        inertial * modal_mass.cwiseInverse().asDiagonal() * rigid.topRows(loads).transpose();
+    inertial *= modal_mass.cwiseInverse().asDiagonal();
+    displacement -= inertial.lazyProduct(rigid.topRows(loads).transpose());
 
     // Stiffness against rigid modes makes the matrix definite; balanced loads do not feel it.
     rigid.col(2) /= rigid.col(2).norm() / std::sqrt(static_cast<double>(n));
-    stiffness.noalias() +=
-        (stiffness.trace() / static_cast<double>(2 * n * n)) * (rigid * rigid.transpose());
-    // LDLT and a column at a time: in products of large matrices Eigen adds up in portions that
-    // suit the caches of the processor, and the last bits would depend on it.
+    const double stiff = stiffness.trace() / static_cast<double>(2 * n * n);
+    stiffness += stiff * rigid.lazyProduct(rigid.transpose());
+    // LDLT, a column at a time and lazy products: where Eigen multiplies large matrices, it adds up
+    // in portions that suit the caches of the processor, and the last bits would depend on it.
     const Eigen::LDLT<Eigen::MatrixXd> factors(stiffness);
     for (Eigen::Index i = 0; i < loads; ++i) {
       auto displaced = displacement.col(i);
