@@ -1,5 +1,5 @@
-// The physics of the whole test on full samples: what the literature on dense polygon assemblies and
-// the paper agree on. Means over three samples, because single samples scatter.
+// The physics of the whole test on full samples: what the literature on dense polygon assemblies
+// and the paper agree on. Means over three samples, because single samples scatter.
 
 #include <doctest/doctest.h>
 

@@ -39,8 +39,8 @@ struct Momentum {
       if (!body.is_free()) continue;
       m.mass += body.mass;
       m.linear += body.mass * body.velocity;
-      m.angular += body.mass * cross(body.position, body.velocity) +
-                   body.inertia * body.angular_velocity;
+      m.angular +=
+          body.mass * cross(body.position, body.velocity) + body.inertia * body.angular_velocity;
       m.kinetic += 0.5 * body.mass * body.velocity.squaredNorm() +
                    0.5 * body.inertia * body.angular_velocity * body.angular_velocity;
     }
@@ -265,13 +265,12 @@ TEST_CASE("a simulation that runs away says which particle") {
 }
 
 TEST_CASE("bad input is refused before anything is computed") {
-  CHECK_THROWS_WITH_AS((Simulation{Model{}, Assembly{}, Rock{}}),
-                       "Assembly.particles is empty", InvalidInput);
-  CHECK_THROWS_WITH_AS(
-      (Simulation{Model{}, test::square_between_platens(0), Rock{.poisson = 0.5}}),
-      "Rock.poisson = 0.5: must lie in [0, 0.5)", InvalidInput);
+  CHECK_THROWS_WITH_AS((Simulation{Model{}, Assembly{}, Rock{}}), "Assembly.particles is empty",
+                       InvalidInput);
+  CHECK_THROWS_WITH_AS((Simulation{Model{}, test::square_between_platens(0), Rock{.poisson = 0.5}}),
+                       "Rock.poisson = 0.5: must lie in [0, 0.5)", InvalidInput);
   Assembly fast = test::square_between_platens(0);
   fast.particles[2].velocity.x() = std::numeric_limits<double>::infinity();
-  CHECK_THROWS_WITH_AS((Simulation{Model{}, fast, Rock{}}),
-                       "particle 2: velocity must be finite", InvalidInput);
+  CHECK_THROWS_WITH_AS((Simulation{Model{}, fast, Rock{}}), "particle 2: velocity must be finite",
+                       InvalidInput);
 }
