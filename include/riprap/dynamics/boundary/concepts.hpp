@@ -46,7 +46,8 @@ concept SampleBoundaryRegion = requires(const B& boundary, const Particles& part
 /// Optional:
 /// - `boundary.enclose(assembly, particles)`: called once, before the first step; throws
 ///   InvalidInput for an assembly that it cannot bound.
-/// - `boundary.plane()` -> PeriodicPlane, and `boundary.drift(time_step)`, called once a step, which
+/// - `boundary.plane()` -> PeriodicPlane, and `boundary.drift(time_step)`, called once a step,
+/// which
 ///   brings the plane to the next poses: the simulation runs in a periodic cell.
 template <class B>
 concept Boundary = Policy<B> && clauses::BoundaryDrive<B>;
