@@ -3,31 +3,23 @@
 /// The simulation: particles, contacts and stress under one model, advanced step by step.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <riprap/breakage/crack.hpp>
 #include <riprap/contact/contact_list.hpp>
 #include <riprap/particle/assembly.hpp>
 #include <riprap/particle/particles.hpp>
+#include <riprap/simulation/body_step.hpp>
 #include <riprap/simulation/break_event.hpp>
+#include <riprap/simulation/crack_search.hpp>
 #include <riprap/simulation/model.hpp>
 #include <riprap/simulation/observer.hpp>
 #include <riprap/simulation/particle_stress.hpp>
 
 namespace riprap {
-
-/// Energy that has passed through the bodies since the start [J]; contacts book their own.
-struct BodyWork {
-  double boundary = 0;    ///< done by driven bodies on the rest
-  double body_force = 0;  ///< done by the uniform body force
-  double damping = 0;     ///< taken out by damping
-};
 
 namespace internal {
 
@@ -82,7 +74,6 @@ class Simulation {
     }
     mean_area_ = intact == 0 ? particles_.shape(0).area : intact_area / static_cast<double>(intact);
     choose_time_step();
-    refusals_.resize(particles_.size());
     if constexpr (requires { boundary().enclose(assembly, particles_); })
       boundary().enclose(assembly, particles_);
     if constexpr (Plane::periodic) contacts_.set_plane(boundary().plane());
@@ -176,19 +167,15 @@ class Simulation {
       for (BodyIndex i = 0; i < particles_.size(); ++i)
         if (particles_.body(i).is_free())
           ratios[i] = tally_failures(model_.breakage_model.criterion,
-                                     stress_.evaluate(particles_, i, load_scale(i)))
+                                     stress_.evaluate(
+                                         particles_, i,
+                                         load_scale(model_.breakage_model.trigger, particles_, i)))
                           .ratio();
     }
     return ratios;
   }
 
  private:
-  /// A refused cut and the partners it was refused under.
-  struct Refusal {
-    bool active = false;
-    std::uint64_t partners = 0;
-  };
-
   [[nodiscard]] static ModelType validated(ModelType model, const Assembly& assembly,
                                            const Rock& rock) {
     model.validate();
@@ -200,117 +187,40 @@ class Simulation {
     return model;
   }
 
-  // Stress over the particle's own strength, for triggers that know one: the criterion stays as it
-  // is.
-  [[nodiscard]] double load_scale(BodyIndex i) const {
-    const auto& trigger = model_.breakage_model.trigger;
-    const ParticleId id = particles_.ancestry(i).id;
-    const double area = particles_.shape(i).area;
-    if constexpr (requires { trigger.strength_factor(id, area); })
-      return 1 / trigger.strength_factor(id, area);
-    else
-      return 1;
-  }
-
-  [[nodiscard]] Wrench wrench(const Body& body, Wrench& damped) const {
-    Wrench total{body.contact.force + body.mass * body_force_, body.contact.moment};
-    damped = model_.motion_model.damping(body, total);
-    total.force += damped.force;
-    total.moment += damped.moment;
-    return total;
+  [[nodiscard]] auto body_step() {
+    return BodyStep(model_.motion_model, body_force_, time_step_, work_);
   }
 
   // Forces of the present poses move the bodies to the next ones.
   void advance_bodies() {
-    const double kick_time = first_kick(integrator()) * time_step_;
-    work_.boundary += kick_time * contacts_.image_power();
-    for (BodyIndex i = 0; i < particles_.size(); ++i) {
-      Body& body = particles_.body(i);
-      const Body before = body;
-      if (body.is_free()) {
-        Wrench damped;
-        const Wrench total = wrench(body, damped);
-        integrator().advance(body, total, time_step_);
-        if (!is_finite(body)) refuse(i);
-        book(before, body, damped, kick_time);
-      } else {
-        drift(body, time_step_);
-        work_.boundary -= kick_time * (body.contact.force.dot(body.velocity) +
-                                       body.contact.moment * body.angular_velocity);
-      }
-      particles_.update_ring(i);
-    }
+    work_.boundary += body_step().first_kick_time() * contacts_.image_power();
+    body_step().advance(particles_);
     time_ += time_step_;
   }
 
   // The second kick, for integrators that have one.
   void finish_bodies() {
-    if constexpr (decltype(model_.motion_model.integrator)::needs_finish) {
-      const double kick_time = (1 - first_kick(integrator())) * time_step_;
-      work_.boundary += kick_time * contacts_.image_power();
-      for (Body& body : particles_.bodies()) {
-        if (body.is_free()) {
-          const Body before = body;
-          Wrench damped;
-          const Wrench total = wrench(body, damped);
-          integrator().finish(body, total, time_step_);
-          book(before, body, damped, kick_time);
-        } else {
-          work_.boundary -= kick_time * (body.contact.force.dot(body.velocity) +
-                                         body.contact.moment * body.angular_velocity);
-        }
-      }
+    if constexpr (decltype(body_step())::needs_finish) {
+      work_.boundary += body_step().second_kick_time() * contacts_.image_power();
+      body_step().finish(particles_);
     }
-  }
-
-  void book(const Body& before, const Body& after, const Wrench& damped, double kick_time) {
-    const Vec2 velocity = 0.5 * (before.velocity + after.velocity);
-    const double spin = 0.5 * (before.angular_velocity + after.angular_velocity);
-    work_.body_force += kick_time * after.mass * body_force_.dot(velocity);
-    work_.damping -= kick_time * (damped.force.dot(velocity) + damped.moment * spin);
   }
 
   // All cracks are found before the first particle splits, for splitting changes the contacts that
   // loaded the others.
   template <class... Observers>
   void break_particles(Observers&... observers) {
-    find_cracks();
-    if (cracks_.empty()) return;
+    const CrackSearch::Cracks& cracks =
+        crack_search_.find(model_.breakage_model, particles_, contacts_, stress_, mean_area_);
+    if (cracks.empty()) return;
     const std::size_t first = breaks_.size();
     (hooks::before_splits(observers, *this), ...);
-    for (const auto& [i, crack] : cracks_) split(i, crack);
+    for (const auto& [i, crack] : cracks) split(i, crack);
     // Pieces meet their neighbours anew at the same poses; all other forces come out as they were.
     contacts_.update(particles_, 0);
     (hooks::after_splits(observers, *this), ...);
     for (std::size_t k = first; k < breaks_.size(); ++k)
       (hooks::on_break(observers, *this, breaks_[k]), ...);
-  }
-
-  // In the order of particle ids. A refused cut is remembered until the contact partners change.
-  void find_cracks() {
-    stress_.gather(particles_, contacts_);
-    cracks_.clear();
-    for (BodyIndex i = 0; i < particles_.size(); ++i) {
-      if (!particles_.body(i).is_free()) continue;
-      Refusal& refusal = refusals_[i];
-      if (refusal.active && refusal.partners == stress_.partners(i)) continue;
-      refusal.active = false;
-      if (stress_.contact_count(i) == 0) continue;
-      const auto& breakage = model_.breakage_model;
-      const ElementStress& stress = stress_.evaluate(particles_, i, load_scale(i));
-      const FailureTally tally = tally_failures(breakage.criterion, stress);
-      if (!breakage.trigger(tally)) continue;
-      std::optional<Crack> crack =
-          find_crack(breakage, tally, stress_.influence(particles_, i).mesh(), stress,
-                     particles_.body(i), particles_.ring(i), mean_area_);
-      if (crack)
-        cracks_.emplace_back(i, std::move(*crack));
-      else
-        refusal = {true, stress_.partners(i)};
-    }
-    std::sort(cracks_.begin(), cracks_.end(), [&](const auto& p, const auto& q) {
-      return particles_.ancestry(p.first).id < particles_.ancestry(q.first).id;
-    });
   }
 
   // The left piece takes the parent's place, the right one is new.
@@ -329,8 +239,6 @@ class Simulation {
     contacts_.divide(i, second,
                      [&](const Vec2& point) { return crack.line.left_distance(point) < 0; });
     stress_.forget(i);
-    refusals_.resize(particles_.size());
-    refusals_[i] = {};
     breaks_.push_back({.step = steps_,
                        .time = time_,
                        .particle = ancestry,
@@ -339,16 +247,6 @@ class Simulation {
                        .line = crack.line,
                        .pieces = {particles_.ancestry(i).id, particles_.ancestry(second).id},
                        .areas = {particles_.shape(i).area, particles_.shape(second).area}});
-  }
-
-  [[nodiscard]] static bool is_finite(const Body& body) {
-    // A sum is finite only if all its terms are.
-    return std::isfinite(body.position.x() + body.position.y() + body.angular_velocity);
-  }
-  [[noreturn]] void refuse(BodyIndex i) const {
-    throw SimulationError(particle_text(particles_.ancestry(i).id) +
-                          ": motion is no longer finite at step " + std::to_string(steps_) +
-                          "; the time step may be too long");
   }
 
   // From the smallest intact free particle; of all particles where none is free.
@@ -367,8 +265,6 @@ class Simulation {
     time_step_ = model_.motion_model.time_step.time_step(smallest_mass_, stiffness);
   }
 
-  [[nodiscard]] const auto& integrator() const { return model_.motion_model.integrator; }
-
   ModelType model_;
   Rock rock_;
   Particles particles_;
@@ -383,8 +279,7 @@ class Simulation {
   Vec2 body_force_{0, 0};
   bool breakage_active_ = true;
   BodyWork work_;
-  std::vector<Refusal> refusals_;
-  std::vector<std::pair<BodyIndex, Crack>> cracks_;
+  CrackSearch crack_search_;
   std::vector<BreakEvent> breaks_;
 };
 

@@ -1,0 +1,105 @@
+#pragma once
+/// @file
+/// One time step of all bodies, and the work that is done on them.
+
+#include <cmath>
+
+#include <riprap/core/errors.hpp>
+#include <riprap/dynamics/integrator/concepts.hpp>
+#include <riprap/particle/particles.hpp>
+
+namespace riprap {
+
+/// Energy that has passed through the bodies since the start [J]; contacts book their own.
+struct BodyWork {
+  double boundary = 0;    ///< done by driven bodies, or by a shrinking cell, on the rest
+  double body_force = 0;  ///< done by the uniform body force
+  double damping = 0;     ///< taken out by damping
+};
+
+/// Moves free bodies by the integrator and driven ones at their velocity. Each kick's work is
+/// booked with the velocities before and after it.
+/// @tparam MotionPart offers `integrator` and `damping`
+template <class MotionPart>
+class BodyStep {
+ public:
+  static constexpr bool needs_finish = decltype(MotionPart::integrator)::needs_finish;
+
+  /// @param body_force acceleration of the uniform body force [m/s^2]; @param time_step [s]
+  BodyStep(const MotionPart& motion, const Vec2& body_force, double time_step, BodyWork& work)
+      : motion_(motion), body_force_(body_force), time_step_(time_step), work_(work) {}
+
+  /// Time of the first and of the second kick [s].
+  [[nodiscard]] double first_kick_time() const {
+    return first_kick(motion_.integrator) * time_step_;
+  }
+  [[nodiscard]] double second_kick_time() const {
+    return (1 - first_kick(motion_.integrator)) * time_step_;
+  }
+
+  /// Forces of the present poses move the bodies to the next ones. Throws SimulationError, naming
+  /// the particle, if its motion is no longer finite.
+  void advance(Particles& particles) const {
+    const double kick_time = first_kick_time();
+    for (BodyIndex i = 0; i < particles.size(); ++i) {
+      Body& body = particles.body(i);
+      if (body.is_free()) {
+        kick_free(body, kick_time, [this](Body& b, const Wrench& w) {
+          motion_.integrator.advance(b, w, time_step_);
+        });
+        if (!is_finite(body))
+          throw SimulationError(particle_text(particles.ancestry(i).id) +
+                                ": motion is no longer finite; the time step may be too long");
+      } else {
+        drift(body, time_step_);
+        book_driven(body, kick_time);
+      }
+      particles.update_ring(i);
+    }
+  }
+
+  /// The second kick, for integrators that have one.
+  void finish(Particles& particles) const {
+    const double kick_time = second_kick_time();
+    for (Body& body : particles.bodies()) {
+      if (body.is_free())
+        kick_free(body, kick_time, [this](Body& b, const Wrench& w) {
+          motion_.integrator.finish(b, w, time_step_);
+        });
+      else
+        book_driven(body, kick_time);
+    }
+  }
+
+ private:
+  template <class Kick>
+  void kick_free(Body& body, double kick_time, Kick&& kick) const {
+    const Body before = body;
+    Wrench total{body.contact.force + body.mass * body_force_, body.contact.moment};
+    const Wrench damped = motion_.damping(body, total);
+    total.force += damped.force;
+    total.moment += damped.moment;
+    kick(body, total);
+    const Vec2 velocity = 0.5 * (before.velocity + body.velocity);
+    const double spin = 0.5 * (before.angular_velocity + body.angular_velocity);
+    work_.body_force += kick_time * body.mass * body_force_.dot(velocity);
+    work_.damping -= kick_time * (damped.force.dot(velocity) + damped.moment * spin);
+  }
+
+  void book_driven(const Body& body, double kick_time) const {
+    work_.boundary -= kick_time * (body.contact.force.dot(body.velocity) +
+                                   body.contact.moment * body.angular_velocity);
+  }
+
+  [[nodiscard]] static bool is_finite(const Body& body) {
+    // A sum is finite only if all its terms are.
+    return std::isfinite(body.position.x() + body.position.y() + body.angular_velocity);
+  }
+
+  const MotionPart& motion_;
+  Vec2 body_force_;
+  double time_step_;
+  BodyWork& work_;
+};
+
+}  // namespace riprap

@@ -1,0 +1,78 @@
+#pragma once
+/// @file
+/// Which particles are to break now, and along which lines.
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <riprap/breakage/crack.hpp>
+#include <riprap/particle/particles.hpp>
+#include <riprap/simulation/particle_stress.hpp>
+
+namespace riprap {
+
+/// What the stress of particle i is multiplied by: one over the particle's own strength, for
+/// triggers that know one; the criterion stays as it is.
+template <class Trigger>
+[[nodiscard]] double load_scale(const Trigger& trigger, const Particles& particles, BodyIndex i) {
+  const ParticleId id = particles.ancestry(i).id;
+  const double area = particles.shape(i).area;
+  if constexpr (requires { trigger.strength_factor(id, area); })
+    return 1 / trigger.strength_factor(id, area);
+  else
+    return 1;
+}
+
+/// Asks every free particle, and remembers refused cuts until the contact partners change.
+class CrackSearch {
+ public:
+  using Cracks = std::vector<std::pair<BodyIndex, Crack>>;
+
+  /// Cracks in the order of particle ids; the reference is good until the next call.
+  /// @param mean_area of the intact particles [m^2]
+  template <class BreakagePart, class Contacts, class StressPart>
+  const Cracks& find(const BreakagePart& breakage, const Particles& particles,
+                     const Contacts& contacts, ParticleStress<StressPart>& stresses,
+                     double mean_area) {
+    refusals_.resize(particles.size());
+    stresses.gather(particles, contacts);
+    cracks_.clear();
+    for (BodyIndex i = 0; i < particles.size(); ++i) {
+      if (!particles.body(i).is_free()) continue;
+      Refusal& refusal = refusals_[i];
+      if (refusal.active && refusal.partners == stresses.partners(i)) continue;
+      refusal.active = false;
+      if (stresses.contact_count(i) == 0) continue;
+      const ElementStress& stress =
+          stresses.evaluate(particles, i, load_scale(breakage.trigger, particles, i));
+      const FailureTally tally = tally_failures(breakage.criterion, stress);
+      if (!breakage.trigger(tally)) continue;
+      std::optional<Crack> crack =
+          find_crack(breakage, tally, stresses.influence(particles, i).mesh(), stress,
+                     particles.body(i), particles.ring(i), mean_area);
+      if (crack)
+        cracks_.emplace_back(i, std::move(*crack));
+      else
+        refusal = {true, stresses.partners(i)};
+    }
+    std::sort(cracks_.begin(), cracks_.end(), [&](const auto& p, const auto& q) {
+      return particles.ancestry(p.first).id < particles.ancestry(q.first).id;
+    });
+    return cracks_;
+  }
+
+ private:
+  /// A refused cut and the partners it was refused under.
+  struct Refusal {
+    bool active = false;
+    std::uint64_t partners = 0;
+  };
+
+  std::vector<Refusal> refusals_;
+  Cracks cracks_;
+};
+
+}  // namespace riprap

@@ -1,0 +1,81 @@
+#include <riprap/simulation/body_step.hpp>
+
+#include <doctest/doctest.h>
+
+#include <limits>
+
+#include <riprap/dynamics/damping/viscous_damping.hpp>
+#include <riprap/dynamics/integrator/symplectic_euler.hpp>
+#include <riprap/dynamics/integrator/velocity_verlet.hpp>
+#include <support/near.hpp>
+
+using namespace riprap;
+using namespace riprap::test;
+
+namespace {
+
+template <class Scheme>
+struct Motion2 {
+  Scheme integrator;
+  ViscousDamping damping{.rate = 10};
+};
+
+constexpr double dt = 1e-3;
+
+// A free body of 2 kg and a driven one, both at 3 m/s and pushed by 4 N along axis 1.
+Particles pushed() {
+  Particles particles(1, 2);
+  const ConvexPolygon square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  particles.add(square, Motion::free);
+  particles.add(square.moved({}, {5, 0}), Motion::prescribed);
+  for (Body& body : particles.bodies()) {
+    body.velocity = {3, 0};
+    body.contact.force = {4, 0};
+  }
+  return particles;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("kinetic energy is what contacts, body force and damping leave", Scheme,
+                   SymplecticEuler, VelocityVerlet) {
+  Particles particles = pushed();
+  const Body before = particles.body(0);
+  BodyWork work;
+  const Motion2<Scheme> motion;
+  const BodyStep step(motion, Vec2{0, -9.81}, dt, work);
+  CHECK(step.first_kick_time() + step.second_kick_time() == near(dt, 1e-18));
+  step.advance(particles);
+  if (step.needs_finish) step.finish(particles);
+
+  const Body& after = particles.body(0);
+  // Contacts do 4 N times the way at the mean velocity of each kick. Damping makes two kicks differ
+  // by 10/s * 1 ms, one per cent, and the means of the means by the square of that over 16.
+  const double by_contacts = 4 * dt * 0.5 * (before.velocity.x() + after.velocity.x());
+  CHECK(after.kinetic_energy() - before.kinetic_energy() ==
+        near(by_contacts + work.body_force - work.damping, 1e-5 * by_contacts));
+  CHECK(work.damping == near_relative(10 * 2 * 3 * 3 * dt, 0.01));
+  CHECK(work.body_force > 0);
+  // The driven body holds 4 N at bay.
+  CHECK(work.boundary == near(-4 * 3 * dt, 1e-16));
+}
+
+TEST_CASE("a driven body drifts at its velocity whatever pushes it, and vertices follow") {
+  Particles particles = pushed();
+  BodyWork work;
+  const Motion2<SymplecticEuler> motion;
+  BodyStep(motion, Vec2{0, 0}, dt, work).advance(particles);
+  CHECK(particles.body(1).velocity == Vec2{3, 0});
+  CHECK(particles.ring(1)[0].x() == near(5 + 3 * dt, 1e-15));
+  CHECK(particles.ring(0)[0].x() > 3 * dt * 0.98);
+}
+
+TEST_CASE("motion that is no longer finite is an error that names the particle") {
+  Particles particles = pushed();
+  particles.body(0).contact.force.x() = std::numeric_limits<double>::infinity();
+  BodyWork work;
+  const Motion2<SymplecticEuler> motion;
+  CHECK_THROWS_WITH_AS(BodyStep(motion, Vec2{0, 0}, dt, work).advance(particles),
+                       "particle 0: motion is no longer finite; the time step may be too long",
+                       SimulationError);
+}

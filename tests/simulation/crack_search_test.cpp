@@ -1,0 +1,81 @@
+#include <riprap/simulation/crack_search.hpp>
+
+#include <doctest/doctest.h>
+
+#include <riprap/breakage/splitter/no_split.hpp>
+#include <riprap/breakage/trigger/weibull_strength.hpp>
+#include <riprap/simulation/simulation.hpp>
+#include <support/near.hpp>
+
+using namespace riprap;
+using namespace riprap::test;
+
+namespace {
+
+// Counts how often it is asked, and refuses.
+struct CountingSplitter {
+  int* asked;
+  std::optional<CutRings> operator()(Ring, const Line&, double) const {
+    ++*asked;
+    return std::nullopt;
+  }
+};
+
+const ConvexPolygon square{{0, 0}, {0.016, 0}, {0.016, 0.016}, {0, 0.016}};
+const ConvexPolygon platen{{-0.02, 0}, {0.04, 0}, {0.04, 0.016}, {-0.02, 0.016}};
+
+// Two squares crushed between platens, the one that was added last on the left.
+const Assembly crushed{.particles = {{square.moved({}, {0.02, 0})},
+                                     {platen.moved({}, {0, 0.0150}), Motion::prescribed},
+                                     {platen.moved({}, {0, -0.0150}), Motion::prescribed},
+                                     {square.moved({}, {-0.015, 0})}}};
+
+}  // namespace
+
+TEST_CASE("every free particle that is overloaded has a crack") {
+  const auto model = Model{};
+  const Simulation sim{model, crushed, Rock{}};
+  ParticleStress<decltype(model.stress_model)> stresses(model.stress_model, Rock{});
+  CrackSearch search;
+  const auto& cracks =
+      search.find(model.breakage_model, sim.particles(), sim.contacts(), stresses, sim.mean_area());
+  REQUIRE(cracks.size() == 2);
+  CHECK(cracks[0].first == 0);
+  CHECK(cracks[1].first == 3);
+}
+
+TEST_CASE("a refused cut is not tried again while the partners are the same") {
+  int asked = 0;
+  const auto model = Model{}.splitter(CountingSplitter{&asked});
+  Simulation sim{model, crushed, Rock{}};
+  ParticleStress<decltype(model.stress_model)> stresses(model.stress_model, Rock{});
+  CrackSearch search;
+  const auto find = [&](const auto& simulation) {
+    return search
+        .find(model.breakage_model, simulation.particles(), simulation.contacts(), stresses,
+              simulation.mean_area())
+        .size();
+  };
+  CHECK(find(sim) == 0);
+  CHECK(asked == 2);
+  CHECK(find(sim) == 0);
+  CHECK(asked == 2);
+  // A block that touches the left square is one more partner.
+  Assembly joined = crushed;
+  joined.particles.push_back({square.moved({}, {-0.03099, 0.002})});
+  const Simulation other{model, joined, Rock{}};
+  find(other);
+  CHECK(asked >= 3);
+  const int so_far = asked;
+  find(sim);
+  CHECK(asked == so_far + 1);
+}
+
+TEST_CASE("a weak particle carries its load as a strong one would carry a larger load") {
+  const Simulation sim{Model{}, crushed, Rock{}};
+  const WeibullStrength weibull{};
+  const double area = sim.particles().shape(0).area;
+  CHECK(load_scale(weibull, sim.particles(), 0) ==
+        near_relative(1 / weibull.strength_factor(0, area), 1e-15));
+  CHECK(load_scale(FailedElementRatio{}, sim.particles(), 0) == 1);
+}
