@@ -87,6 +87,8 @@ TEST_CASE("the contact laws of riprap obey the axioms") {
   CHECK(to_text(contact_law_violations(SpringDashpot{.may_pull = true})) == "");
   CHECK(to_text(contact_law_violations(SpringDashpot{.damping_ratio = 0.9})) == "");
   CHECK(to_text(contact_law_violations(OverlapAreaSpring{})) == "");
+  // So deep that the corner's chord is the longest, too.
+  CHECK(to_text(contact_law_violations(OverlapAreaSpring{}, {.deepest = 0.008})) == "");
   CHECK(to_text(contact_law_violations(NoContactForce{})) == "");
 }
 
