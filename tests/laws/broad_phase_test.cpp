@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <riprap/contact/broad_phase/all_pairs.hpp>
+#include <riprap/contact/broad_phase/no_pairs.hpp>
 #include <riprap/contact/broad_phase/r_tree.hpp>
 #include <riprap/contact/broad_phase/uniform_grid.hpp>
 #include <riprap/laws/broad_phase.hpp>
@@ -90,6 +91,13 @@ TEST_CASE("the broad phases of riprap obey the axioms") {
   CHECK(to_text(broad_phase_violations(AllPairs{})) == "");
   CHECK(to_text(broad_phase_violations(UniformGrid{})) == "");
   CHECK(to_text(broad_phase_violations(RTree{})) == "");
+}
+
+// Bodies that never meet: the one thing asked of a broad phase, left out on purpose.
+TEST_CASE("NoPairs misses every pair, and breaks no other axiom") {
+  const Violations violations = broad_phase_violations(NoPairs{});
+  check_violated(violations, "no pair of boxes that meet is missed: pairs missed");
+  CHECK(violations.size() == 1);
 }
 
 TEST_CASE("a user's broad phase obeys the axioms") {

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <support/violated.hpp>
 
+#include <riprap/contact/law/contact_law_choice.hpp>
 #include <riprap/contact/law/linear_spring_coulomb.hpp>
 #include <riprap/contact/law/no_contact_force.hpp>
 #include <riprap/contact/law/overlap_area_spring.hpp>
@@ -87,7 +88,22 @@ TEST_CASE("the contact laws of riprap obey the axioms") {
   CHECK(to_text(contact_law_violations(SpringDashpot{.may_pull = true})) == "");
   CHECK(to_text(contact_law_violations(SpringDashpot{.damping_ratio = 0.9})) == "");
   CHECK(to_text(contact_law_violations(OverlapAreaSpring{})) == "");
+  // So deep that the corner's chord is the longest, too.
+  CHECK(to_text(contact_law_violations(OverlapAreaSpring{}, {.deepest = 0.008})) == "");
   CHECK(to_text(contact_law_violations(NoContactForce{})) == "");
+}
+
+TEST_CASE("a choice of contact laws obeys the axioms with each of them") {
+  using Choice =
+      ContactLawChoice<LinearSpringCoulomb, SpringDashpot, OverlapAreaSpring, NoContactForce>;
+  CHECK(to_text(contact_law_violations(Choice{LinearSpringCoulomb{}})) == "");
+  CHECK(to_text(contact_law_violations(Choice{SpringDashpot{}})) == "");
+  CHECK(to_text(contact_law_violations(Choice{OverlapAreaSpring{}})) == "");
+  CHECK(to_text(contact_law_violations(Choice{NoContactForce{}})) == "");
+  // A choice has no member that says so.
+  const Violations pulling = contact_law_violations(Choice{SpringDashpot{.may_pull = true}});
+  check_violated(pulling, "a contact never pulls");
+  CHECK(pulling.size() == 1);
 }
 
 TEST_CASE("a user's contact law obeys the axioms as deep as it is meant for") {
@@ -176,6 +192,13 @@ TEST_CASE("contact laws say the same in millimetres, grams and milliseconds") {
   CHECK(to_text(contact_law_unit_violations(
             HertzianSpring{},
             HertzianSpring{.stiffness = 1e9 * std::pow(1e3, -1.5), .deepest = 0.1})) == "");
+}
+
+// A time step needs some stiffness, and without forces any will do.
+TEST_CASE("NoContactForce has a peak stiffness of its own, and nothing else") {
+  const Violations violations = contact_law_unit_violations(NoContactForce{}, NoContactForce{});
+  check_violated(violations, "the peak stiffness is the same in other units");
+  CHECK(violations.size() == 1);
 }
 
 TEST_CASE("a contact law with numbers of its own is found out in other units") {

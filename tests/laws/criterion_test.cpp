@@ -66,8 +66,10 @@ TEST_CASE("the criteria of riprap obey the axioms") {
   CHECK(to_text(criterion_violations(MohrCoulomb{}, 300e6)) == "");
   CHECK(to_text(criterion_violations(Rankine{})) == "");
   CHECK(to_text(criterion_violations(NeverFails{})) == "");
-  CHECK(to_text(criterion_violations(CriterionChoice<HoekBrown, MohrCoulomb>{HoekBrown{}},
-                                     300e6)) == "");
+  using Choice = CriterionChoice<HoekBrown, MohrCoulomb, Rankine>;
+  CHECK(to_text(criterion_violations(Choice{HoekBrown{}}, 300e6)) == "");
+  CHECK(to_text(criterion_violations(Choice{MohrCoulomb{}}, 300e6)) == "");
+  CHECK(to_text(criterion_violations(Choice{Rankine{}})) == "");
 }
 
 TEST_CASE("users' criteria obey the axioms") {
@@ -104,6 +106,9 @@ TEST_CASE("criteria say the same in millimetres, grams and milliseconds") {
             MohrCoulomb{}, MohrCoulomb{.cohesion = 32.732684, .tension = 12})) == "");
   CHECK(to_text(criterion_unit_violations(Rankine{}, Rankine{.tension = 12})) == "");
   CHECK(to_text(criterion_unit_violations(NeverFails{}, NeverFails{})) == "");
+  using Choice = CriterionChoice<HoekBrown, Rankine>;
+  CHECK(to_text(criterion_unit_violations(Choice{Rankine{}}, Choice{Rankine{.tension = 12}})) ==
+        "");
   CHECK(to_text(criterion_unit_violations(Griffith{}, Griffith{.tension = 12})) == "");
 }
 

@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 #include <support/violated.hpp>
 
+#include <riprap/dynamics/integrator/frozen.hpp>
+#include <riprap/dynamics/integrator/integrator_choice.hpp>
 #include <riprap/dynamics/integrator/symplectic_euler.hpp>
 #include <riprap/dynamics/integrator/velocity_verlet.hpp>
 #include <riprap/laws/integrator.hpp>
@@ -59,6 +61,11 @@ struct LateKick {
   }
 };
 
+/// The same, owned up to.
+struct DriftThenKick : LateKick {
+  double first_kick() const { return 0; }
+};
+
 struct TrueMass {
   static constexpr int order = 1;
   static constexpr bool needs_finish = false;
@@ -92,8 +99,31 @@ TEST_CASE("the integrators of riprap obey the axioms") {
   CHECK(to_text(integrator_violations(VelocityVerlet{})) == "");
 }
 
-TEST_CASE("a user's integrator obeys the axioms") {
+TEST_CASE("a choice of integrators obeys the axioms with each, but for those of a higher order") {
+  using Choice = IntegratorChoice<SymplecticEuler, VelocityVerlet>;
+  CHECK(to_text(integrator_violations(Choice{SymplecticEuler{}})) == "");
+  CHECK(to_text(integrator_violations(IntegratorChoice<VelocityVerlet>{})) == "");
+  // The order, a constant of the type, is the lowest of theirs.
+  const Violations better = integrator_violations(Choice{VelocityVerlet{}});
+  check_violated(better, "motion has the declared order");
+  check_violated(better, "turning has the declared order");
+  CHECK(better.size() == 2);
+}
+
+// It stops what moves: nothing is left of motion, and the kinetic energy is lost without work.
+TEST_CASE("Frozen breaks the axioms of free motion and of work, and no other") {
+  const Violations violations = integrator_violations(Frozen{});
+  check_violated(violations, "a body without load keeps its velocity");
+  check_violated(violations, "a body without load keeps its spin");
+  check_violated(violations, "a body without load moves straight on");
+  check_violated(violations, "a body without load turns evenly");
+  check_violated(violations, "kinetic energy changes by the work over the mean velocity");
+  CHECK(violations.size() == 5);
+}
+
+TEST_CASE("users' integrators obey the axioms") {
   CHECK(to_text(integrator_violations(ForwardEuler{})) == "");
+  CHECK(to_text(integrator_violations(DriftThenKick{})) == "");
 }
 
 TEST_CASE("an integrator that leaves out turning is told so, and nothing else") {

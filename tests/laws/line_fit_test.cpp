@@ -8,7 +8,9 @@
 #include <riprap/breakage/line_fit/line_fit_choice.hpp>
 #include <riprap/breakage/line_fit/no_line.hpp>
 #include <riprap/breakage/line_fit/total_least_squares.hpp>
+#include <riprap/breakage/line_fit/weighted_x.hpp>
 #include <riprap/breakage/line_fit/weighted_xy.hpp>
+#include <riprap/breakage/line_fit/weighted_y.hpp>
 #include <riprap/laws/line_fit.hpp>
 
 using namespace riprap;
@@ -24,6 +26,8 @@ struct AlongBedding {
     return Line{weighted_moments(points).mean, Vec2{std::cos(angle), std::sin(angle)}};
   }
 };
+
+using Choice = LineFitChoice<TotalLeastSquares, WeightedXY, NoLine>;
 
 /// The principal axis, spoilt by `change`.
 template <class Change>
@@ -51,7 +55,9 @@ TEST_CASE("the line fits of riprap obey the axioms") {
   CHECK(to_text(line_fit_violations(TotalLeastSquares{})) == "");
   CHECK(to_text(line_fit_violations(FailurePlaneThroughCentroid{})) == "");
   CHECK(to_text(line_fit_violations(NoLine{})) == "");
-  CHECK(to_text(line_fit_violations(LineFitChoice<WeightedX, NoLine>{WeightedX{}})) == "");
+  CHECK(to_text(line_fit_violations(Choice{TotalLeastSquares{}})) == "");
+  CHECK(to_text(line_fit_violations(Choice{WeightedXY{}})) == "");
+  CHECK(to_text(line_fit_violations(Choice{NoLine{}})) == "");
 }
 
 TEST_CASE("a user's line fit obeys the axioms") {
@@ -63,6 +69,8 @@ TEST_CASE("least squares are exact on points on a straight line, given direction
   CHECK(to_text(line_fit_collinear_violations(WeightedX{})) == "");
   CHECK(to_text(line_fit_collinear_violations(WeightedY{})) == "");
   CHECK(to_text(line_fit_collinear_violations(TotalLeastSquares{})) == "");
+  CHECK(to_text(line_fit_collinear_violations(NoLine{})) == "");
+  CHECK(to_text(line_fit_collinear_violations(Choice{WeightedXY{}})) == "");
   const std::string_view exact = "points on a straight line lie on their line";
   check_violated(line_fit_collinear_violations(FailurePlaneThroughCentroid{}), exact);
   check_violated(line_fit_collinear_violations(AlongBedding{}), exact);
@@ -71,10 +79,13 @@ TEST_CASE("least squares are exact on points on a straight line, given direction
 TEST_CASE("fits that know no axes turn with the points, those of X and Y do not") {
   CHECK(to_text(line_fit_rotation_violations(TotalLeastSquares{})) == "");
   CHECK(to_text(line_fit_rotation_violations(FailurePlaneThroughCentroid{})) == "");
+  CHECK(to_text(line_fit_rotation_violations(NoLine{})) == "");
+  CHECK(to_text(line_fit_rotation_violations(Choice{TotalLeastSquares{}})) == "");
   const std::string_view turned = "turned points have the turned line";
   check_violated(line_fit_rotation_violations(WeightedXY{}), turned);
   check_violated(line_fit_rotation_violations(WeightedX{}), turned);
   check_violated(line_fit_rotation_violations(WeightedY{}), turned);
+  check_violated(line_fit_rotation_violations(Choice{WeightedXY{}}), turned);
   check_violated(line_fit_rotation_violations(AlongBedding{}), turned);
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <riprap/laws/mesher.hpp>
+#include <riprap/stress/mesh/fan_mesher.hpp>
 #include <riprap/stress/mesh/uniform_mesher.hpp>
 
 using namespace riprap;
@@ -68,10 +69,13 @@ struct ByTheMillimetre {
 
 }  // namespace
 
-TEST_CASE("the mesher of riprap obeys the axioms") {
+TEST_CASE("the meshers of riprap obey the axioms") {
   CHECK(to_text(mesher_violations(UniformMesher{})) == "");
   CHECK(to_text(mesher_violations(UniformMesher{.triangles = 20}, 10)) == "");
   CHECK(to_text(mesher_unit_violations(UniformMesher{}, UniformMesher{})) == "");
+  CHECK(to_text(mesher_violations(FanMesher{})) == "");
+  CHECK(to_text(mesher_violations(FanMesher{.edge_divisions = 1}, 10)) == "");
+  CHECK(to_text(mesher_unit_violations(FanMesher{}, FanMesher{})) == "");
 }
 
 TEST_CASE("users' meshers obey the axioms") {

@@ -2,7 +2,9 @@
 #include <optional>
 #include <support/violated.hpp>
 
+#include <riprap/contact/narrow_phase/no_overlap.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
+#include <riprap/contact/narrow_phase/separating_axis.hpp>
 #include <riprap/laws/narrow_phase.hpp>
 
 using namespace riprap;
@@ -58,10 +60,14 @@ struct TrustsMemory {
 
 }  // namespace
 
-TEST_CASE("the narrow phase of riprap obeys the axioms") {
+TEST_CASE("the narrow phases of riprap obey the axioms") {
   CHECK(to_text(narrow_phase_violations(OverlapChord{})) == "");
   CHECK(to_text(narrow_phase_violations(OverlapChord{}, 10)) == "");
   CHECK(to_text(narrow_phase_unit_violations(OverlapChord{}, OverlapChord{})) == "");
+  CHECK(to_text(narrow_phase_violations(SeparatingAxis{})) == "");
+  CHECK(to_text(narrow_phase_violations(SeparatingAxis{}, 10)) == "");
+  CHECK(to_text(narrow_phase_unit_violations(SeparatingAxis{}, SeparatingAxis{})) == "");
+  CHECK(to_text(narrow_phase_violations(NoOverlap{})) == "");
 }
 
 TEST_CASE("a user's narrow phase obeys the axioms") {

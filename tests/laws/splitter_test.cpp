@@ -4,6 +4,7 @@
 #include <support/violated.hpp>
 #include <utility>
 
+#include <riprap/breakage/splitter/no_split.hpp>
 #include <riprap/breakage/splitter/straight_cut.hpp>
 #include <riprap/laws/splitter.hpp>
 
@@ -65,10 +66,12 @@ struct CutsBeside {
 
 }  // namespace
 
-TEST_CASE("the splitter of riprap obeys the axioms") {
+TEST_CASE("the splitters of riprap obey the axioms") {
   CHECK(to_text(splitter_violations(StraightCut{})) == "");
   CHECK(to_text(splitter_violations(StraightCut{.minimum_area = 0, .maximum_aspect = 1e6})) == "");
   CHECK(to_text(splitter_unit_violations(StraightCut{}, StraightCut{})) == "");
+  CHECK(to_text(splitter_violations(NoSplit{})) == "");
+  CHECK(to_text(splitter_unit_violations(NoSplit{}, NoSplit{})) == "");
 }
 
 TEST_CASE("a user's splitter obeys the axioms") {

@@ -5,6 +5,7 @@
 
 #include <riprap/laws/support.hpp>
 #include <riprap/stress/support/inertia_relief.hpp>
+#include <riprap/stress/support/support_choice.hpp>
 #include <riprap/stress/support/two_pinned_contacts.hpp>
 
 using namespace riprap;
@@ -47,6 +48,14 @@ TEST_CASE("the supports of riprap obey the axioms and keep the balance") {
   for (const Choice choice : {Choice::largest_normal_forces, Choice::farthest_apart}) {
     CHECK(to_text(support_violations(TwoPinnedContacts{choice})) == "");
     CHECK(to_text(support_balance_violations(TwoPinnedContacts{choice})) == "");
+  }
+}
+
+TEST_CASE("a choice of supports obeys the axioms and keeps the balance with each of them") {
+  using Choice = SupportChoice<InertiaRelief, TwoPinnedContacts>;
+  for (const Choice& chosen : {Choice{InertiaRelief{}}, Choice{TwoPinnedContacts{}}}) {
+    CHECK(to_text(support_violations(chosen)) == "");
+    CHECK(to_text(support_balance_violations(chosen)) == "");
   }
 }
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <support/violated.hpp>
 
+#include <riprap/dynamics/time_step/fixed_time_step.hpp>
 #include <riprap/dynamics/time_step/mass_floor.hpp>
 #include <riprap/dynamics/time_step/no_mass_scaling.hpp>
 #include <riprap/laws/time_step.hpp>
@@ -29,6 +30,13 @@ struct UpsideDown : MassFloor {
 TEST_CASE("the time-step rules of riprap obey the axioms") {
   CHECK(to_text(time_step_violations(MassFloor{})) == "");
   CHECK(to_text(time_step_violations(NoMassScaling{})) == "");
+}
+
+TEST_CASE("FixedTimeStep obeys the axioms where the step that it is given is short enough") {
+  CHECK(to_text(time_step_violations(FixedTimeStep{})) == "");
+  const Violations too_long = time_step_violations(FixedTimeStep{.seconds = 5e-5});
+  check_violated(too_long, "the smallest intact particle on a contact's spring is stable");
+  CHECK(too_long.size() == 1);
 }
 
 TEST_CASE("a user's time-step rule obeys the axioms for the mass and stiffness it is meant for") {

@@ -126,14 +126,14 @@ TEST_CASE("the work of the cell is stress times strain, and the ledger closes") 
   auto sim = compressed_sample(
       Model{}.criterion(NeverFails{}).boundary(PeriodicCell{}).contact(OverlapAreaSpring{}), 5e6);
   sim.boundary().set_rate(0, 0);
-  for (int n = 0; n < 3000; ++n) sim.step();
+  for (int n = 0; n < 3700; ++n) sim.step();
   REQUIRE(stress(sim).mean() > 1e6);
   EnergyLedger ledger;
   ledger.open(sim);
   sim.boundary().set_rate(0.3, 0.5);
   double work = 0;
   const double thickness = sim.particles().thickness();
-  for (int n = 0; n < 2000; ++n) {
+  for (int n = 0; n < 2450; ++n) {
     const Stress2 s = stress(sim);
     const double volume = sim.boundary().region(sim.particles()).area() * thickness;
     work += sim.time_step() * volume * (0.3 * s.s11 + 0.5 * s.s22);

@@ -89,13 +89,57 @@ TEST_CASE("the force of the area law is the slope of its energy against the dept
         doctest::Approx(force).epsilon(1e-10));
 }
 
-TEST_CASE("two flat faces of the largest chord have the peak stiffness") {
-  ContactGeometry geometry;
-  geometry.chord = smooth.largest_chord;
-  geometry.area = 1e-3 * geometry.chord;
-  OverlapAreaSpring::History history;
-  CHECK(smooth(geometry, {}, history).normal / 1e-3 ==
-        doctest::Approx(smooth.peak_stiffness()).epsilon(1e-14));
+namespace {
+
+/// Slope of the normal force at a body that is pressed into a floor, its lowest point at `depth`,
+/// by a central difference: exact for the quadratic and cubic forces of straight sides but for the
+/// third order of its way.
+double slope_at(const ConvexPolygon& body, double depth) {
+  const ConvexPolygon floor = rectangle({0, -2}, 4, 4);
+  const auto force = [&](double d) {
+    OverlapChord::Memory memory;
+    const auto contact = OverlapChord{}(floor.ring(), body.moved({}, {0, -d}).ring(), memory);
+    REQUIRE(contact);
+    REQUIRE(contact->chord <= smooth.largest_chord);
+    OverlapAreaSpring::History history;
+    return smooth(*contact, {}, history).normal;
+  };
+  const double way = 1e-5 * depth;
+  return (force(depth + way) - force(depth - way)) / (2 * way);
+}
+
+}  // namespace
+
+TEST_CASE("any corner whose chord has grown to the largest one has the peak stiffness") {
+  for (const double half_angle : {0.3, 0.8, 1.2})
+    for (const double tilt : {-0.2, 0.0, 0.25}) {
+      CAPTURE(half_angle);
+      CAPTURE(tilt);
+      const double left = std::tan(tilt - half_angle);
+      const double right = std::tan(tilt + half_angle);
+      const ConvexPolygon corner{{0, 0}, {2 * right, 2}, {2 * left, 2}};
+      const double depth = smooth.largest_chord / (right - left);
+      // One way short of it, and the third order of the way.
+      CHECK(slope_at(corner, (1 - 2e-5) * depth) ==
+            doctest::Approx(smooth.peak_stiffness()).epsilon(5e-5));
+    }
+}
+
+TEST_CASE("no body that is pressed into a floor is stiffer than the peak, faces by a third less") {
+  const ConvexPolygon face = rectangle({0, 0.5}, smooth.largest_chord, 1);
+  // Round-off of a coordinate of 1, over the way of 1e-8.
+  CHECK(slope_at(face, 1e-3) == doctest::Approx(smooth.peak_stiffness() / 1.5).epsilon(1e-7));
+  for (const double foot : {0.01, 0.1, 0.5, 0.9}) {
+    const ConvexPolygon blunt{{-0.5 * foot, 0}, {0.5 * foot, 0}, {0.5, 0.6}, {-0.5, 0.6}};
+    for (const double depth : {0.05, 0.2, 0.4, 0.59}) {
+      CAPTURE(foot);
+      CAPTURE(depth);
+      CHECK(slope_at(blunt, depth) < smooth.peak_stiffness());
+    }
+  }
+}
+
+TEST_CASE("a tangential spring stiffer than the normal force decides the peak stiffness") {
   OverlapAreaSpring sideways = smooth;
   sideways.tangential_stiffness = 5e9;
   CHECK(sideways.peak_stiffness() == 5e9);

@@ -156,6 +156,35 @@ TEST_CASE("corners that are nearly straight and edges that are very short do no 
     }
 }
 
+// Their edges bend by less than an integer of the Delaunay triangulation: the triangles between the
+// edge and points rounded inwards must go.
+TEST_CASE("splinters are covered exactly") {
+  Random random(7);
+  for (const double squeeze : {60.0, 100.0, 200.0, 400.0, 2e4}) {
+    CAPTURE(squeeze);
+    for (int i = 0; i < 20; ++i) {
+      std::vector<Vec2> ring;
+      const Rotation turn = Rotation::from_angle(random.uniform(0, 2 * pi));
+      for (const Vec2& v : random_polygon({.most_vertices = 7}, 0.016, random))
+        ring.push_back(turn * Vec2{v.x(), v.y() / squeeze});
+      const ConvexPolygon splinter = centred(ring);
+      const Mesh mesh = UniformMesher{}(splinter.ring());
+      check_conforming(mesh);
+      check_cover(splinter, mesh);
+    }
+  }
+}
+
+TEST_CASE("a splinter too thin for the integers of its triangulation is refused") {
+  const auto mesh_of = [](double width) {
+    return UniformMesher{}(test::rectangle(1, width).ring());
+  };
+  CHECK_NOTHROW(mesh_of(1.01e-5));
+  const std::string message = test::message_of([&] { static_cast<void>(mesh_of(0.99e-5)); });
+  CHECK(message.starts_with("UniformMesher: aspect of a polygon = 101010.1"));
+  CHECK(message.ends_with(": must be 1e5 at most"));
+}
+
 // The number asked for is a wish that the shape of the boundary may refuse: a polygon of v vertices
 // needs v - 2 triangles, and moving one row of points changes the count by as many as it has. A
 // tenth and no more is what "about 100 triangles" is taken to mean; on average much less.

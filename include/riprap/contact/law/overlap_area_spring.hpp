@@ -36,9 +36,11 @@ struct OverlapAreaSpring {
     return 0.5 * area_stiffness * geometry.area * geometry.area +
            tangential_energy(history.tangential_force, tangential_stiffness);
   }
-  /// Slope of the force for two flat faces of the largest chord.
+  /// Slope of the force for a corner whose chord has grown to the largest one. On a flat face any
+  /// convex body has a chord that is concave in the depth, so that area * d chord / d depth is at
+  /// most chord^2 / 2; that of a corner is, and that of flat faces is nothing.
   [[nodiscard]] double peak_stiffness() const {
-    return std::max(area_stiffness * largest_chord * largest_chord, tangential_stiffness);
+    return std::max(1.5 * area_stiffness * largest_chord * largest_chord, tangential_stiffness);
   }
 
   void validate() const {

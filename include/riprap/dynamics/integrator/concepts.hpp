@@ -46,11 +46,12 @@ concept IntegratorFinish =
 /// An `Integrator` advances one free body. A step calls `advance` with the wrench at the present
 /// pose, then forces are evaluated anew, then `finish` is called with the new wrench (left out
 /// where `needs_finish` is false). Both must use `mass_scaling * mass` and `mass_scaling *
-/// inertia`. Kinetic energy must change by exactly the work of the wrench over the mean of the
-/// velocities before and after.
+/// inertia`. Each does its work over its own share of the step: in either call kinetic energy must
+/// change by exactly the work of that call's wrench, force and moment, over the mean of the
+/// velocities before and after, times the share. The energy ledger books it so.
 ///
-/// Optional: `integrator.first_kick()` [-], the share of the step's impulse that `advance` gives,
-/// `finish` the rest; work is booked by it. Without it: one half where `needs_finish`, else all.
+/// Optional: `integrator.first_kick()` [-], the share of `advance`, 0 to 1; `finish` has the rest.
+/// Without it: one half where `needs_finish`, else all.
 template <class I>
 concept Integrator =
     Policy<I> && clauses::IntegratorOrder<I> && clauses::IntegratorNeedsFinish<I> &&

@@ -2,8 +2,10 @@
 /// @file
 /// Near-uniform Delaunay triangles for any convex polygon: the default mesher.
 
+#include <algorithm>
 #include <boost/polygon/voronoi.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -18,13 +20,15 @@ namespace riprap {
 /// joins the points by Delaunay's rule. The spacing is the one that brings the number of triangles
 /// nearest to the number asked for (of 100 asked for, half of random particles get 100 exactly and
 /// nearly all 98 to 102). Built in the body's own frame from its edges, so that a turned particle
-/// has the same mesh, turned.
+/// has the same mesh, turned. Throws InvalidInput for a polygon of aspect above 1e5, whose width
+/// the integers of Boost.Polygon no longer resolve.
 struct UniformMesher {
   unsigned triangles = 100;  ///< wanted for every particle, whatever its size
 
   [[nodiscard]] Mesh operator()(Ring ring) const {
-    const Mesh points = best_points(ring);
-    Mesh mesh = points;
+    require(aspect(ring) <= 1e5, "UniformMesher: aspect of a polygon", aspect(ring),
+            "must be 1e5 at most");
+    Mesh mesh = best_points(ring);
     triangulate(ring, mesh);
     return mesh;
   }
@@ -77,8 +81,11 @@ struct UniformMesher {
 
     const Vec2 u = spacing * longest.normalized();
     const Vec2 v = 0.5 * u + std::sqrt(0.75) * perpendicular(u);
+    double height = 0;
+    for (const Vec2& vertex : ring) height = std::max(height, std::abs(cross(u, vertex)) / spacing);
     const int reach = static_cast<int>(1.2 * diameter(ring) / spacing) + 1;
-    for (int j = -reach; j <= reach; ++j)
+    const int rows = static_cast<int>(1.2 * height / spacing) + 1;
+    for (int j = -rows; j <= rows; ++j)
       for (int i = -reach; i <= reach; ++i) {
         const Vec2 x = (i + phase) * u + (j + phase) * v;
         if (depth_inside(ring, x) > 0.6 * spacing) mesh.nodes.push_back(x);
@@ -112,6 +119,15 @@ struct UniformMesher {
     return points;
   }
 
+  // Where a slender polygon's edges bend by less than an integer, rounding may draw a boundary
+  // point inwards, and a triangle covers the dent. It is known by its nodes: they follow each other
+  // clockwise on the boundary, which no triangle inside a convex polygon does.
+  [[nodiscard]] static bool lies_outside(const Mesh& mesh, std::uint32_t a, std::uint32_t b,
+                                         std::uint32_t c) {
+    if (std::max({a, b, c}) >= mesh.boundary_nodes) return false;
+    return (a < b) + (b < c) + (c < a) == 1;
+  }
+
   // The Delaunay triangles are the duals of the Voronoi vertices; where more than three cells meet,
   // their centres are joined as a fan.
   static void triangulate(Ring ring, Mesh& mesh) {
@@ -129,7 +145,8 @@ struct UniformMesher {
       } while (edge != first);
       // rot_next turns counter-clockwise, and so do the triangles.
       for (std::size_t k = 1; k + 1 < around.size(); ++k)
-        mesh.triangles.push_back({around[0], around[k], around[k + 1]});
+        if (!lies_outside(mesh, around[0], around[k], around[k + 1]))
+          mesh.triangles.push_back({around[0], around[k], around[k + 1]});
     }
     if (mesh.size() != triangle_count(mesh))
       throw SimulationError("mesh has " + std::to_string(mesh.size()) + " triangles where " +
