@@ -1,12 +1,14 @@
 #include <doctest/doctest.h>
 
 #include <riprap/contact/contact_geometry.hpp>
+#include <support/near.hpp>
 
 using namespace riprap;
+using test::near_relative;
 
 TEST_CASE("the tangent of a contact is its normal turned by +90 degrees") {
   ContactGeometry contact;
   contact.normal = {0.6, 0.8};
   CHECK(contact.tangent() == Vec2{-0.8, 0.6});
-  CHECK(cross(contact.normal, contact.tangent()) == doctest::Approx(1).epsilon(1e-15));
+  CHECK(cross(contact.normal, contact.tangent()) == near_relative(1, 1e-15));
 }

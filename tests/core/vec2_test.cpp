@@ -3,7 +3,10 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+#include <support/near.hpp>
+
 using namespace riprap;
+using test::near;
 
 namespace {
 constexpr double pi = std::numbers::pi;
@@ -44,7 +47,7 @@ TEST_CASE("a rotation turns counter-clockwise and its inverse turns back") {
     // A few roundings of a length of 7.3.
     CHECK(std::abs(turned.norm() - v.norm()) <= 4e-15);
     CHECK((r.inverse_times(turned) - v).norm() <= 4e-15);
-    CHECK(std::atan2(cross(v, turned), v.dot(turned)) == doctest::Approx(angle).epsilon(1e-14));
+    CHECK(std::atan2(cross(v, turned), v.dot(turned)) == near(angle, 1e-15));
   }
 }
 

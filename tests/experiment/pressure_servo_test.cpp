@@ -10,6 +10,7 @@
 
 using namespace riprap;
 using riprap::test::near;
+using riprap::test::near_relative;
 
 namespace {
 
@@ -102,9 +103,10 @@ TEST_CASE("a steady drift is compensated without error, and without overshoot on
 TEST_CASE("without its integral part the servo would drift by D T: that is what it removes") {
   const double drift = 1e8;
   PressureServo servo(stiffness, response, no_limit);
-  // At the shortfall of the proportional servo's steady state the first rate balances the drift.
+  // At the shortfall of the proportional servo's steady state the first rate balances the drift,
+  // but for the integral of a billionth of a response, over four.
   const double steady = drift * response;
-  CHECK(stiffness * servo.rate(steady, 1e-9 * response) == doctest::Approx(drift).epsilon(1e-8));
+  CHECK(stiffness * servo.rate(steady, 1e-9 * response) == near_relative(drift, 1e-9));
 }
 
 TEST_CASE("a sample of another stiffness is held as well, only less evenly") {
@@ -126,7 +128,7 @@ TEST_CASE("the rate never passes its limit, in either direction") {
   CHECK(servo.rate(std::numeric_limits<double>::infinity(), 1e-6) == 0.02);
   // Below the limit it is not touched.
   const double small = 0.01 * stiffness * response;
-  CHECK(servo.rate(small, 1e-12) == doctest::Approx(0.01).epsilon(1e-9));
+  CHECK(servo.rate(small, 1e-12) == near_relative(0.01, 1e-9));
 }
 
 TEST_CASE("the calls at the limit are counted, in both directions") {
@@ -151,7 +153,7 @@ TEST_CASE("what the integral has learnt is kept through a time at the limit") {
   for (int n = 0; n < 1000; ++n) static_cast<void>(servo.rate(small, 1e-3 * response));
   // A quarter of the proportional rate for every response of time: 0.001 / 4 after one.
   const double learnt = servo.rate(0, 1e-6);
-  CHECK(learnt == doctest::Approx(0.00025).epsilon(1e-12));
+  CHECK(learnt == near_relative(0.00025, 1e-12));
   for (int n = 0; n < 1000; ++n) static_cast<void>(servo.rate(1e9, 1e-6));
   CHECK(servo.rate(0, 1e-6) == learnt);
 }

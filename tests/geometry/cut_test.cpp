@@ -6,6 +6,7 @@
 #include <riprap/geometry/convex_polygon.hpp>
 #include <riprap/geometry/random_polygon.hpp>
 
+#include <support/near.hpp>
 #include <support/polygons.hpp>
 
 using namespace riprap;
@@ -74,8 +75,8 @@ TEST_CASE("the direction of the line decides which part is the left one") {
 
 TEST_CASE("the distance from a line is positive on its left") {
   const Line line{{1, 1}, {0.6, 0.8}};
-  CHECK(line.left_distance({1 - 0.8, 1 + 0.6}) == doctest::Approx(1).epsilon(1e-15));
-  CHECK(line.left_distance({1 + 1.6, 1 - 1.2}) == doctest::Approx(-2).epsilon(1e-15));
+  CHECK(line.left_distance({1 - 0.8, 1 + 0.6}) == near_relative(1, 1e-15));
+  CHECK(line.left_distance({1 + 1.6, 1 - 1.2}) == near_relative(-2, 1e-15));
   CHECK(std::abs(line.left_distance({1 + 3 * 0.6, 1 + 3 * 0.8})) <= 1e-15);
 }
 
@@ -175,8 +176,8 @@ TEST_CASE("a vertex within a millionth of the diameter of the line lies on it") 
     CHECK_FALSE(cut(square.ring(), {{0.5e-6 * size, 0}, {0, 1}}));
     const auto thin = cut(square.ring(), {{3e-6 * size, 0}, {0, 1}});
     REQUIRE(thin);
-    CHECK(area_properties(thin->left).area ==
-          doctest::Approx(3e-6 * size * size).epsilon(1e-9).scale(0));
+    // Digits of 1e-16 of the size, over a width of 3e-6 of it.
+    CHECK(area_properties(thin->left).area == near_relative(3e-6 * size * size, 1e-10));
     // Just beside two opposite corners: no edge of a millionth of the size is made.
     const auto diagonal = cut(square.ring(), {{0.7e-6 * size, 0}, Vec2{1, 1} / std::sqrt(2.0)});
     REQUIRE(diagonal);

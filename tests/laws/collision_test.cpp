@@ -5,8 +5,10 @@
 
 #include <riprap/contact/law/linear_spring_coulomb.hpp>
 #include <riprap/laws/collision.hpp>
+#include <support/near.hpp>
 
 using namespace riprap;
+using test::near_relative;
 
 TEST_CASE("a collision goes in to the deepest point and out again, as its velocities say") {
   const ContactRange range{.deepest = 2e-4};
@@ -25,10 +27,10 @@ TEST_CASE("a collision goes in to the deepest point and out again, as its veloci
       REQUIRE(std::abs(depth - now.geometry.depth) <= 1e-12 * range.deepest);
     });
     // Round-off of some thousand additions.
-    CHECK(deepest == doctest::Approx(2e-4).epsilon(1e-12));
+    CHECK(deepest == near_relative(2e-4, 1e-12));
     CHECK(std::abs(depth) <= 1e-12 * range.deepest);
-    CHECK(farthest == doctest::Approx(3 * 2e-4).epsilon(1e-3));
-    CHECK(time == doctest::Approx(1e-4).epsilon(1e-12));
+    CHECK(farthest == near_relative(3 * 2e-4, 1e-3));
+    CHECK(time == near_relative(1e-4, 1e-12));
   }
 }
 
@@ -36,14 +38,13 @@ TEST_CASE("the overlap of a collision grows by its chord times the depth") {
   for (const bool corner : {false, true}) {
     const ContactGeometry at = internal::contact_of({}, corner, 5e-5);
     const ContactGeometry deeper = internal::contact_of({}, corner, 5.2e-5);
-    CHECK(deeper.area - at.area ==
-          doctest::Approx(2e-6 * 0.5 * (at.chord + deeper.chord)).epsilon(1e-12));
-    CHECK(at.normal.norm() == doctest::Approx(1).epsilon(1e-15));
+    CHECK(deeper.area - at.area == near_relative(2e-6 * 0.5 * (at.chord + deeper.chord), 1e-12));
+    CHECK(at.normal.norm() == near_relative(1, 1e-15));
   }
 }
 
 TEST_CASE("a collision lasts half a period of the stiffest spring") {
   const LinearSpringCoulomb law{.normal_stiffness = 4e6, .tangential_stiffness = 1e6};
   CHECK(internal::collision_time(law, {.effective_mass = 1}) ==
-        doctest::Approx(std::numbers::pi / 2e3).epsilon(1e-15));
+        near_relative(std::numbers::pi / 2e3, 1e-15));
 }

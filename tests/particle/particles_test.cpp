@@ -8,6 +8,7 @@
 #include <riprap/core/random.hpp>
 #include <riprap/geometry/random_polygon.hpp>
 
+#include <support/near.hpp>
 #include <support/polygons.hpp>
 
 using namespace riprap;
@@ -43,11 +44,11 @@ TEST_CASE("mass and inertia are density times thickness times the polygon's mome
   CHECK(particles.density() == 2500);
   const BodyIndex i = particles.add(shifted(rectangle(0.4, 0.3), {3, -2}), Motion::free);
   const double mass = 2500 * 0.02 * 0.12;
-  CHECK(particles.body(i).mass == doctest::Approx(mass).epsilon(1e-14));
+  CHECK(particles.body(i).mass == near_relative(mass, 1e-14));
   // Rectangle about its centre: m (b^2 + h^2) / 12.
-  CHECK(particles.body(i).inertia == doctest::Approx(mass * 0.25 / 12).epsilon(1e-13));
+  CHECK(particles.body(i).inertia == near_relative(mass * 0.25 / 12, 1e-13));
   CHECK((particles.body(i).position - Vec2{3, -2}).norm() <= 1e-15);
-  CHECK(particles.shape(i).circumradius == doctest::Approx(0.25).epsilon(1e-14));
+  CHECK(particles.shape(i).circumradius == near_relative(0.25, 1e-14));
   CHECK(particles.shape(i).count == 4);
 }
 
@@ -156,7 +157,7 @@ TEST_CASE("a replaced particle leaves nothing of its motion or load behind") {
   CHECK(particles.body(0).contact.force.norm() == 0);
   CHECK(particles.body(0).contact.moment == 0);
   CHECK(particles.body(0).mass_scaling == 1);
-  CHECK(particles.shape(0).circumradius == doctest::Approx(0.1).epsilon(1e-14));
+  CHECK(particles.shape(0).circumradius == near_relative(0.1, 1e-14));
 }
 
 TEST_CASE("over many breaks every ring stays right, no id returns and the pool stays small") {

@@ -3,8 +3,10 @@
 #include <riprap/dynamics/boundary/no_boundary.hpp>
 #include <riprap/simulation/simulation.hpp>
 #include <support/crushing.hpp>
+#include <support/near.hpp>
 
 using namespace riprap;
+using test::near_relative;
 
 namespace {
 
@@ -42,7 +44,7 @@ TEST_CASE("the mean stress of a particle under gathered contacts is that of its 
   mean /= 0.016 * 0.016;
   // The forces act at the boundary; their places differ from it by half the overlap at most, which
   // the projection onto the boundary takes away. What is left is the imbalance of the two forces.
-  CHECK(mean == doctest::Approx(force / (0.016 * 0.016)).epsilon(1e-6));
+  CHECK(mean == near_relative(force / (0.016 * 0.016), 1e-6));
 }
 
 TEST_CASE("partners are told apart by who they are, not by how many") {

@@ -3,16 +3,16 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <numbers>
 #include <riprap/dynamics/boundary/no_boundary.hpp>
-#include <riprap/dynamics/damping/no_damping.hpp>
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
 #include <string>
 #include <support/crushing.hpp>
+#include <support/near.hpp>
 #include <vector>
 
 using namespace riprap;
+using test::near_relative;
 
 namespace {
 
@@ -119,11 +119,11 @@ TEST_CASE("a square crushed between platens splits along the loading axis") {
   }
   SUBCASE("area, mass, momentum, angular momentum and kinetic energy are kept") {
     // Sums of a few terms: some units in the last place, against the scale of the motion.
-    CHECK(event.areas[0] + event.areas[1] == doctest::Approx(0.016 * 0.016).epsilon(1e-12));
+    CHECK(event.areas[0] + event.areas[1] == near_relative(0.016 * 0.016, 1e-13));
     const double speed = platen_speed;
     const Momentum& p = around.before;
     const Momentum& q = around.after;
-    CHECK(q.mass == doctest::Approx(p.mass).epsilon(1e-13));
+    CHECK(q.mass == near_relative(p.mass, 1e-13));
     CHECK((q.linear - p.linear).norm() <= 1e-13 * p.mass * speed);
     CHECK(std::abs(q.angular - p.angular) <= 1e-13 * p.mass * speed * 0.016);
     CHECK(std::abs(q.kinetic - p.kinetic) <= 1e-12 * p.mass * speed * speed);
@@ -196,8 +196,8 @@ TEST_CASE("a particle of twice the strength breaks under twice the load") {
     REQUIRE(sim.breaks().size() == 1);
     return platen_speed * sim.time();
   };
-  // A check per step and the swing of the particle between the platens: some parts in a thousand.
-  CHECK(depth_at_break(2) / depth_at_break(1) == doctest::Approx(2).epsilon(0.02));
+  // Loaded from both sides alike the particle rests; a check per step, some 1300 of them.
+  CHECK(depth_at_break(2) / depth_at_break(1) == near_relative(2, 1e-3));
 }
 
 TEST_CASE("a refused cut is not tried again while the contact partners stay the same") {
@@ -223,7 +223,7 @@ TEST_CASE("pieces lighter than the smallest intact particle move with its mass")
   REQUIRE(sim.breaks().size() == 1);
   for (const BodyIndex i : {0u, 3u}) {
     const Body& piece = sim.particles().body(i);
-    CHECK(piece.mass_scaling * piece.mass == doctest::Approx(sim.smallest_mass()).epsilon(1e-14));
+    CHECK(piece.mass_scaling * piece.mass == near_relative(sim.smallest_mass(), 1e-14));
     CHECK(piece.mass < sim.smallest_mass());
   }
 }
@@ -231,8 +231,8 @@ TEST_CASE("pieces lighter than the smallest intact particle move with its mass")
 TEST_CASE("the time step follows from the lightest free particle and the contact stiffness") {
   Simulation sim{crushing_model(), test::square_between_platens(0), Rock{}};
   const double mass = 2500 * 0.016 * 0.016 * 0.016;
-  CHECK(sim.smallest_mass() == doctest::Approx(mass).epsilon(1e-12));
-  CHECK(sim.time_step() == doctest::Approx(0.12 * std::sqrt(mass / 2e7)).epsilon(1e-12));
+  CHECK(sim.smallest_mass() == near_relative(mass, 1e-12));
+  CHECK(sim.time_step() == near_relative(0.12 * std::sqrt(mass / 2e7), 1e-12));
 }
 
 TEST_CASE("two runs give the same bytes") {

@@ -4,8 +4,10 @@
 #include <string>
 
 #include <riprap/contact/law/linear_spring_coulomb.hpp>
+#include <support/near.hpp>
 
 using namespace riprap;
+using test::near_relative;
 
 namespace {
 
@@ -61,11 +63,11 @@ std::string message_of(Change change) {
 
 TEST_CASE("the normal force is stiffness times depth, and never pulls") {
   LinearSpringCoulomb::History history;
-  CHECK(law(pressed(depth), {}, history).normal == doctest::Approx(1000).epsilon(1e-15));
-  CHECK(law(pressed(2 * depth), {}, history).normal == doctest::Approx(2000).epsilon(1e-15));
+  CHECK(law(pressed(depth), {}, history).normal == near_relative(1000, 1e-15));
+  CHECK(law(pressed(2 * depth), {}, history).normal == near_relative(2000, 1e-15));
   // Bodies that part quickly are not held back: the law has no dashpot and no tension.
   const ContactMotion parting{.normal_velocity = 100, .time_step = time_step};
-  CHECK(law(pressed(1e-9), parting, history).normal == doctest::Approx(0.02).epsilon(1e-15));
+  CHECK(law(pressed(1e-9), parting, history).normal == near_relative(0.02, 1e-15));
 }
 
 TEST_CASE("zero depth gives zero force, however fast the bodies slide") {
@@ -83,7 +85,7 @@ TEST_CASE("the tangential spring loads and unloads along its stiffness while it 
   const double way = 0.9 * slip_way;
   const Outcome there = shear(law, depth, way, 100, history);
   // Body b moves along the tangent, so the force on it points backwards.
-  CHECK(there.last.tangential == doctest::Approx(-1.2e7 * way).epsilon(round_off));
+  CHECK(there.last.tangential == near_relative(-1.2e7 * way, round_off));
   CHECK(there.slipped == 0);
   const Outcome back = shear(law, depth, -way, 100, history);
   CHECK(std::abs(back.last.tangential) <= round_off * cap);
@@ -93,12 +95,12 @@ TEST_CASE("the tangential spring loads and unloads along its stiffness while it 
 TEST_CASE("what a sticking contact takes up it stores") {
   LinearSpringCoulomb::History history;
   const double before = law.stored_energy(pressed(depth), history);
-  CHECK(before == doctest::Approx(0.5 * 2e7 * depth * depth).epsilon(1e-15));
+  CHECK(before == near_relative(0.5 * 2e7 * depth * depth, 1e-15));
   const double way = 0.7 * slip_way;
   const Outcome outcome = shear(law, depth, way, 100, history);
   const double stored = law.stored_energy(pressed(depth), history) - before;
-  CHECK(stored == doctest::Approx(0.5 * 1.2e7 * way * way).epsilon(round_off));
-  CHECK(outcome.work == doctest::Approx(stored).epsilon(round_off));
+  CHECK(stored == near_relative(0.5 * 1.2e7 * way * way, round_off));
+  CHECK(outcome.work == near_relative(stored, round_off));
 }
 
 TEST_CASE("a sliding contact resists with the friction coefficient times the normal force") {
@@ -117,8 +119,8 @@ TEST_CASE("steady sliding dissipates the friction force times the way slipped") 
   shear(law, depth, 2 * slip_way, 100, history);
   const double way = 30 * slip_way;
   const Outcome steady = shear(law, depth, way, 1000, history);
-  CHECK(steady.slipped == doctest::Approx(cap * way).epsilon(round_off));
-  CHECK(steady.work == doctest::Approx(steady.slipped).epsilon(round_off));
+  CHECK(steady.slipped == near_relative(cap * way, round_off));
+  CHECK(steady.work == near_relative(steady.slipped, round_off));
 }
 
 TEST_CASE("stored plus slipped energy is the work done, through stick, slip and reversal") {
@@ -135,7 +137,7 @@ TEST_CASE("stored plus slipped energy is the work done, through stick, slip and 
   const double stored = law.stored_energy(pressed(depth), history) - start;
   // In the one step of each leg in which slip sets in, the law books the slipped part of the way
   // against the mean force, and so does the trapezoid rule: the balance is exact.
-  CHECK(work == doctest::Approx(stored + slipped).epsilon(round_off));
+  CHECK(work == near_relative(stored + slipped, round_off));
   CHECK(slipped > 0);
 }
 
@@ -147,7 +149,7 @@ TEST_CASE("slip in a closed cycle is the area of the hysteresis loop") {
   const Outcome back = shear(law, depth, 2 * amplitude, 600, history);
   // A parallelogram of height 2 mu N and width 2 (amplitude - slip_way).
   const double loop = 4 * cap * (amplitude - slip_way);
-  CHECK(forth.slipped + back.slipped == doctest::Approx(loop).epsilon(round_off));
+  CHECK(forth.slipped + back.slipped == near_relative(loop, round_off));
 }
 
 TEST_CASE("a tangential spring cut by a falling normal force loses just what it had stored") {
@@ -156,12 +158,12 @@ TEST_CASE("a tangential spring cut by a falling normal force loses just what it 
   const double tangential_before = history.tangential_force;
   const double stored_before = std::pow(tangential_before, 2) / (2 * 1.2e7);
   const ContactForce cut = law(pressed(0.3 * depth), {.time_step = time_step}, history);
-  CHECK(cut.tangential == doctest::Approx(-0.3 * cap).epsilon(1e-14));
+  CHECK(cut.tangential == near_relative(-0.3 * cap, 1e-14));
   const double stored_after = std::pow(cut.tangential, 2) / (2 * 1.2e7);
-  CHECK(cut.slipped == doctest::Approx(stored_before - stored_after).epsilon(round_off));
+  CHECK(cut.slipped == near_relative(stored_before - stored_after, round_off));
   // When the contact opens everything is lost.
   const ContactForce open = law(pressed(0), {.time_step = time_step}, history);
-  CHECK(open.slipped == doctest::Approx(stored_after).epsilon(round_off));
+  CHECK(open.slipped == near_relative(stored_after, round_off));
   CHECK(history.tangential_force == 0);
 }
 
@@ -187,7 +189,7 @@ TEST_CASE("the force depends on the way and not on how it is divided into steps"
   for (const double way : {0.6, -1.1, 0.9}) {
     shear(law, depth, way * slip_way, 1, coarse);
     shear(law, depth, way * slip_way, 1000, fine);
-    CHECK(coarse.tangential_force == doctest::Approx(fine.tangential_force).epsilon(round_off));
+    CHECK(coarse.tangential_force == near_relative(fine.tangential_force, round_off));
   }
 }
 
@@ -208,7 +210,7 @@ TEST_CASE("without a tangential spring there is no tangential force and no divis
   CHECK(outcome.last.tangential == 0);
   CHECK(outcome.slipped == 0);
   CHECK(loose.stored_energy(pressed(depth), history) ==
-        doctest::Approx(0.5 * 2e7 * depth * depth).epsilon(1e-15));
+        near_relative(0.5 * 2e7 * depth * depth, 1e-15));
 }
 
 TEST_CASE("the linear law keeps its meaning in other units") {
@@ -219,9 +221,9 @@ TEST_CASE("the linear law keeps its meaning in other units") {
   LinearSpringCoulomb::History mm;
   const Outcome a = shear(law, depth, 1.7 * slip_way, 10, si);
   const Outcome b = shear(in_mm, 1e3 * depth, 1.7e3 * slip_way, 10, mm);
-  CHECK(b.last.normal == doctest::Approx(a.last.normal).epsilon(1e-14));
-  CHECK(b.last.tangential == doctest::Approx(a.last.tangential).epsilon(1e-14));
-  CHECK(b.slipped == doctest::Approx(1e3 * a.slipped).epsilon(round_off));
+  CHECK(b.last.normal == near_relative(a.last.normal, 1e-14));
+  CHECK(b.last.tangential == near_relative(a.last.tangential, 1e-14));
+  CHECK(b.slipped == near_relative(1e3 * a.slipped, round_off));
 }
 
 TEST_CASE("the stiffer of the two springs sets the time step") {

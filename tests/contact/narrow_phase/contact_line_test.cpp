@@ -2,11 +2,11 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-
+#include <support/near.hpp>
 #include <support/rectangle.hpp>
 
 using namespace riprap;
+using test::near_relative;
 using test::rectangle;
 
 namespace {
@@ -22,7 +22,7 @@ TEST_CASE("the contact line of two corners runs through the two points where the
   const ConvexPolygon b = rectangle({1.7, 1.6}, 2, 2);
   // Crossings at (0.7, 1) and (1, 0.6).
   const ContactGeometry line = line_of(a, b);
-  CHECK(line.chord == doctest::Approx(0.5).epsilon(1e-14));
+  CHECK(line.chord == near_relative(0.5, 1e-14));
   CHECK((line.point - Vec2{0.85, 0.8}).norm() <= 1e-15);
   CHECK((line.normal - Vec2{0.8, 0.6}).norm() <= 1e-14);
   CHECK((line_of(b, a).normal - Vec2{-0.8, -0.6}).norm() <= 1e-14);

@@ -8,6 +8,7 @@
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/core/random.hpp>
 #include <riprap/geometry/random_polygon.hpp>
+#include <support/near.hpp>
 #include <support/overlapping_pairs.hpp>
 #include <support/polygons.hpp>
 #include <support/rectangle.hpp>
@@ -17,6 +18,8 @@ using test::begun_at;
 using test::check_same;
 using test::crossings;
 using test::mirrored;
+using test::near;
+using test::near_relative;
 using test::overlap_area;
 using test::rectangle;
 using test::shifted;
@@ -67,10 +70,11 @@ TEST_CASE("however shallow a corner is, it makes contact") {
     CAPTURE(depth);
     const auto contact = contact_of(floor, tip_down({0, -depth}, 1.0, 0.7));
     REQUIRE(contact);
-    CHECK(contact->depth == doctest::Approx(depth).epsilon(1e-15 / depth));
+    // The last digits of coordinates of size 2, whatever the depth.
+    CHECK(contact->depth == near(depth, 1e-15));
     const auto swapped = contact_of(tip_down({0, -depth}, 1.0, 0.7), floor);
     REQUIRE(swapped);
-    CHECK(swapped->depth == doctest::Approx(depth).epsilon(1e-15 / depth));
+    CHECK(swapped->depth == near(depth, 1e-15));
   }
 }
 
@@ -81,7 +85,7 @@ TEST_CASE("a face on a wider face has the overlap's height as depth and the face
         contact_of(rectangle({0, -1}, 4, 2), rectangle({0.3, 0.5 - depth}, 1.5, 1));
     REQUIRE(contact);
     CHECK(std::abs(contact->depth - depth) <= 1e-14);
-    CHECK(contact->chord == doctest::Approx(1.5).epsilon(1e-14));
+    CHECK(contact->chord == near_relative(1.5, 1e-14));
     CHECK((contact->normal - Vec2{0, 1}).norm() <= 1e-14);
     CHECK((contact->point - Vec2{0.3, 0}).norm() <= 1e-14);
     CHECK(std::abs(contact->area - 1.5 * depth) <= 1e-14);
@@ -94,9 +98,9 @@ TEST_CASE("a corner in a corner has the diagonal as chord and twice area over ch
   const double diagonal = std::hypot(w, h);
   const auto contact = contact_of(rectangle({0, 0}, 1, 1), rectangle({1 - w, 1 - h}, 1, 1));
   REQUIRE(contact);
-  CHECK(contact->chord == doctest::Approx(diagonal).epsilon(1e-14));
-  CHECK(contact->depth == doctest::Approx(2 * w * h / diagonal).epsilon(1e-14));
-  CHECK(contact->area == doctest::Approx(w * h).epsilon(1e-14));
+  CHECK(contact->chord == near_relative(diagonal, 1e-14));
+  CHECK(contact->depth == near_relative(2 * w * h / diagonal, 1e-14));
+  CHECK(contact->area == near_relative(w * h, 1e-14));
   CHECK((contact->normal - Vec2{h, w} / diagonal).norm() <= 1e-14);
   CHECK((contact->point - Vec2{0.5 - 0.5 * w, 0.5 - 0.5 * h}).norm() <= 1e-14);
 }
@@ -120,24 +124,24 @@ TEST_CASE("a body inside another is parted by the least translation") {
   const auto contact = contact_of(outer, inner);
   REQUIRE(contact);
   // The way out through the right face is 2 - 1.2 + 0.25, through the upper one 1 - 0.1 + 0.25.
-  CHECK(contact->depth == doctest::Approx(1.05).epsilon(1e-14));
+  CHECK(contact->depth == near_relative(1.05, 1e-14));
   CHECK((contact->normal - Vec2{1, 0}).norm() <= 1e-14);
   CHECK((contact->point - Vec2{1.2, 0.1}).norm() <= 1e-14);
-  CHECK(contact->area == doctest::Approx(0.25).epsilon(1e-14));
+  CHECK(contact->area == near_relative(0.25, 1e-14));
   const auto swapped = contact_of(inner, outer);
   REQUIRE(swapped);
-  CHECK(swapped->depth == doctest::Approx(1.05).epsilon(1e-14));
+  CHECK(swapped->depth == near_relative(1.05, 1e-14));
   CHECK((swapped->normal - Vec2{-1, 0}).norm() <= 1e-14);
 }
 
 TEST_CASE("faces of equal width one on the other are parted by the least translation") {
   const auto contact = contact_of(rectangle({0, -0.5}, 1, 1), rectangle({0, 0.499}, 1, 1));
   REQUIRE(contact);
-  CHECK(contact->depth == doctest::Approx(1e-3).epsilon(1e-12));
+  CHECK(contact->depth == near_relative(1e-3, 1e-12));
   CHECK((contact->normal - Vec2{0, 1}).norm() <= 1e-14);
   CHECK((contact->point - Vec2{0, -0.0005}).norm() <= 1e-14);
-  CHECK(contact->chord == doctest::Approx(1).epsilon(1e-14));
-  CHECK(contact->area == doctest::Approx(1e-3).epsilon(1e-12));
+  CHECK(contact->chord == near_relative(1, 1e-14));
+  CHECK(contact->area == near_relative(1e-3, 1e-12));
 }
 
 TEST_CASE("faces flush at one end only are parted by the least translation") {
@@ -149,8 +153,8 @@ TEST_CASE("faces flush at one end only are parted by the least translation") {
     REQUIRE(contact);
     REQUIRE(swapped);
     for (const auto& c : {*contact, *swapped}) {
-      CHECK(c.depth == doctest::Approx(1e-3).epsilon(1e-12));
-      CHECK(c.chord == doctest::Approx(1).epsilon(1e-14));
+      CHECK(c.depth == near_relative(1e-3, 1e-12));
+      CHECK(c.chord == near_relative(1, 1e-14));
       CHECK((c.point - Vec2{0.5 * side, -0.0005}).norm() <= 1e-14);
     }
     CHECK((contact->normal - Vec2{0, 1}).norm() <= 1e-14);
@@ -163,19 +167,19 @@ TEST_CASE("a sliver across a body crosses it four times and is parted by the lea
   const ConvexPolygon sliver = rectangle({0.1, 0.4}, 4, 0.04);
   const auto contact = contact_of(body, sliver);
   REQUIRE(contact);
-  CHECK(contact->depth == doctest::Approx(0.5 - 0.4 + 0.02).epsilon(1e-13));
+  CHECK(contact->depth == near_relative(0.5 - 0.4 + 0.02, 1e-13));
   CHECK((contact->normal - Vec2{0, 1}).norm() <= 1e-14);
   CHECK((contact->point - Vec2{0, 0.4}).norm() <= 1e-14);
-  CHECK(contact->area == doctest::Approx(0.04).epsilon(1e-13));
+  CHECK(contact->area == near_relative(0.04, 1e-13));
 }
 
 TEST_CASE("a body on top of itself has a finite contact with a unit normal") {
   const ConvexPolygon square = rectangle({0, 0}, 1, 1);
   const auto contact = contact_of(square, square);
   REQUIRE(contact);
-  CHECK(contact->depth == doctest::Approx(1).epsilon(1e-14));
-  CHECK(contact->normal.norm() == doctest::Approx(1).epsilon(1e-14));
-  CHECK(contact->area == doctest::Approx(1).epsilon(1e-14));
+  CHECK(contact->depth == near_relative(1, 1e-14));
+  CHECK(contact->normal.norm() == near_relative(1, 1e-14));
+  CHECK(contact->area == near_relative(1, 1e-14));
 }
 
 // --- Properties of any contact ------------------------------------------------------------------

@@ -5,8 +5,10 @@
 
 #include <riprap/dynamics/damping/local_damping.hpp>
 #include <riprap/dynamics/integrator/symplectic_euler.hpp>
+#include <support/near.hpp>
 
 using namespace riprap;
+using test::near_relative;
 
 namespace {
 
@@ -37,9 +39,9 @@ TEST_CASE("local damping opposes the motion, component by component") {
       for (const double moment : {2.0, -2.0})
         for (const double sign : {1.0, -1.0}) {
           const Wrench added = damping(moving({0.1 * sign, -0.2}, 0.4 * sign), {{x, y}, moment});
-          CHECK(added.force.x() == doctest::Approx(-sign * 0.7 * 3).epsilon(1e-15));
-          CHECK(added.force.y() == doctest::Approx(0.7 * 5).epsilon(1e-15));
-          CHECK(added.moment == doctest::Approx(-sign * 0.7 * 2).epsilon(1e-15));
+          CHECK(added.force.x() == near_relative(-sign * 0.7 * 3, 1e-15));
+          CHECK(added.force.y() == near_relative(0.7 * 5, 1e-15));
+          CHECK(added.moment == near_relative(-sign * 0.7 * 2, 1e-15));
         }
 }
 
@@ -76,7 +78,7 @@ TEST_CASE("local damping removes its share of |F| |v| dt from a step") {
   const double removed = undamped.kinetic_energy() - damped.kinetic_energy();
   const double expected = alpha * dt * (3 * 10 + 5 * 20 + 2 * 30);
   // The velocity changes by less than 1e-3 of itself during the step.
-  CHECK(removed == doctest::Approx(expected).epsilon(1e-3));
+  CHECK(removed == near_relative(expected, 1e-3));
 }
 
 TEST_CASE("a damped oscillator loses the same share of energy in every cycle, at any frequency") {
@@ -95,7 +97,7 @@ TEST_CASE("a damped oscillator loses the same share of energy in every cycle, at
     } while (body.position.x() <= previous);
     // From one turning point at 1 to the next: driven by (1 - alpha) k up to the middle, slowed by
     // (1 + alpha) k beyond it; energies are equal there. First order in omega dt = 1e-4.
-    CHECK(previous == doctest::Approx(-std::sqrt((1 - alpha) / (1 + alpha))).epsilon(1e-4));
+    CHECK(previous == near_relative(-std::sqrt((1 - alpha) / (1 + alpha)), 1e-4));
   }
 }
 

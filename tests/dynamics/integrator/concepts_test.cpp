@@ -3,8 +3,10 @@
 
 #include <riprap/dynamics/integrator/concepts.hpp>
 #include <support/archetypes.hpp>
+#include <support/near.hpp>
 
 using namespace riprap;
+using test::near_relative;
 namespace archetype = riprap::test::archetype;
 
 namespace {
@@ -131,7 +133,7 @@ TEST_CASE("a kick changes kinetic energy by the work over the mean of both veloc
     const double work =
         0.02 * (wrench.force.dot(0.5 * (before.velocity + body.velocity)) +
                 wrench.moment * 0.5 * (before.angular_velocity + body.angular_velocity));
-    CHECK(body.kinetic_energy() - before.kinetic_energy() == doctest::Approx(work).epsilon(1e-12));
+    CHECK(body.kinetic_energy() - before.kinetic_energy() == near_relative(work, 1e-12));
   }
 }
 

@@ -2,8 +2,10 @@
 #include <doctest/doctest.h>
 
 #include <riprap/dynamics/integrator/velocity_verlet.hpp>
+#include <support/near.hpp>
 
 using namespace riprap;
+using test::near_relative;
 
 namespace {
 
@@ -43,10 +45,8 @@ TEST_CASE("velocity Verlet has the order it declares, in position and velocity")
   const Errors coarse = errors_at_one(500);
   const Errors fine = errors_at_one(1000);
   // The next term of the expansion is (omega dt)^2 = 1e-4 smaller.
-  CHECK(std::log2(coarse.position / fine.position) ==
-        doctest::Approx(VelocityVerlet::order).epsilon(0.001));
-  CHECK(std::log2(coarse.velocity / fine.velocity) ==
-        doctest::Approx(VelocityVerlet::order).epsilon(0.001));
+  CHECK(std::log2(coarse.position / fine.position) == near_relative(VelocityVerlet::order, 0.001));
+  CHECK(std::log2(coarse.velocity / fine.velocity) == near_relative(VelocityVerlet::order, 0.001));
 }
 
 TEST_CASE("velocity Verlet follows a constant force exactly") {
@@ -58,8 +58,8 @@ TEST_CASE("velocity Verlet follows a constant force exactly") {
     VelocityVerlet{}.finish(body, weight, 1e-3);
   }
   // Round-off of 1000 additions.
-  CHECK(body.position.y() == doctest::Approx(-4.905).epsilon(1e-12));
-  CHECK(body.velocity.y() == doctest::Approx(-9.81).epsilon(1e-12));
+  CHECK(body.position.y() == near_relative(-4.905, 1e-12));
+  CHECK(body.velocity.y() == near_relative(-9.81, 1e-12));
 }
 
 TEST_CASE("velocity Verlet keeps energy within (omega dt)^2 / 4 for thousands of periods") {

@@ -3,7 +3,10 @@
 #include <Eigen/LU>
 #include <doctest/doctest.h>
 
+#include <support/near.hpp>
+
 using namespace riprap;
+using test::near_relative;
 
 namespace {
 
@@ -27,17 +30,17 @@ TEST_CASE("plane stress is Hooke's law of three dimensions with free faces") {
     const double largest = solid.cwiseAbs().maxCoeff();
     // Round-off; near nu = 1/2 Lame's constant is some 50 times larger than the result.
     CHECK(std::abs(solid[2]) <= 1e-13 * largest);
-    CHECK(plane[0] == doctest::Approx(solid[0]).epsilon(1e-13));
-    CHECK(plane[1] == doctest::Approx(solid[1]).epsilon(1e-13));
-    CHECK(plane[2] == doctest::Approx(rock.young / (2 * (1 + poisson)) * 5e-4).epsilon(1e-14));
+    CHECK(plane[0] == near_relative(solid[0], 1e-13));
+    CHECK(plane[1] == near_relative(solid[1], 1e-13));
+    CHECK(plane[2] == near_relative(rock.young / (2 * (1 + poisson)) * 5e-4, 1e-14));
   }
 }
 
 TEST_CASE("under 100 MPa rock of 70 GPa shortens by 100/70000 and widens by nu of that") {
   const Eigen::Matrix3d elasticity = PlaneStress{}.elasticity(Rock{});
   const Eigen::Vector3d strain = elasticity.inverse() * Eigen::Vector3d{0, -100e6, 0};
-  CHECK(strain[1] == doctest::Approx(-1.4285714e-3).epsilon(1e-7));  // printed digits
-  CHECK(strain[0] == doctest::Approx(2.4285714e-4).epsilon(1e-7));
+  CHECK(strain[1] == near_relative(-1.4285714e-3, 1e-7));  // printed digits
+  CHECK(strain[0] == near_relative(2.4285714e-4, 1e-7));
   CHECK(std::abs(strain[2]) <= 1e-18);
 }
 
