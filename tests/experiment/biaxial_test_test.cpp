@@ -6,6 +6,7 @@
 #include <riprap/dynamics/boundary/rigid_platens.hpp>
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/experiment/curve.hpp>
+#include <riprap/experiment/range_check.hpp>
 #include <riprap/output/csv.hpp>
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/particle/random_box_assembly.hpp>
@@ -253,4 +254,18 @@ TEST_CASE("a sample that does not jam is an error, not an endless run") {
   BiaxialTest test = small_test;
   test.most_steps = 1000;
   CHECK_THROWS_AS(test.run(sim), SimulationError);
+}
+
+TEST_CASE("a strength in the wrong unit is told before the first step") {
+  const auto warnings = [](double strength) {
+    const Simulation sim{Model{}.criterion(HoekBrown{.compressive_strength = strength}),
+                         random_assembly({.count = 30}), Rock{}};
+    const BiaxialView<std::remove_cv_t<decltype(sim)>> view{.sim = sim, .confining_pressure = 8e6};
+    RangeCheck check;
+    check.begin_stage(view);
+    return check.warnings();
+  };
+  CHECK(warnings(300e6).empty());
+  REQUIRE(warnings(300).size() == 1);
+  CHECK(warnings(300)[0].ends_with("above 0.5: is the strength in Pa?"));
 }

@@ -155,7 +155,6 @@ TEST_CASE("a sample that is above its pressure before it is loaded gets a warnin
 
 TEST_CASE("pressure and stiffness are judged when the hydrostatic stage begins, not otherwise") {
   Scene scene;
-  scene.view.confining_pressure = 1;
   RangeCheck check({.stiffness_level = 0});
   for (const Stage stage : {Stage::compaction, Stage::relaxation, Stage::shear}) {
     scene.view.stage = stage;
@@ -227,4 +226,17 @@ TEST_CASE("a stage that its cap on steps ended is a warning, one that arrived is
   check.end_stage(scene.view);
   REQUIRE(check.warnings().size() == 1);
   CHECK(check.warnings()[0] == "hydrostatic: ended at its cap of steps, target not reached");
+}
+
+TEST_CASE("a pressure in the wrong unit is told before the first step") {
+  Scene scene;
+  scene.view.stage = Stage::compaction;
+  RangeCheck right;
+  right.begin_stage(scene.view);
+  CHECK(right.warnings().empty());
+  scene.view.confining_pressure = 2;  // for 2 MPa
+  RangeCheck wrong;
+  wrong.begin_stage(scene.view);
+  REQUIRE(wrong.warnings().size() == 1);
+  CHECK(wrong.warnings()[0].ends_with("below 1e-06: is the confining pressure in Pa?"));
 }

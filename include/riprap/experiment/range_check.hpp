@@ -13,7 +13,7 @@
 
 namespace riprap {
 
-/// Upper ends of the ranges.
+/// Ends of the ranges.
 struct Limits {
   double stiffness_level = 0.05;   ///< kappa; above: particles too soft
   double inertial_number = 1e-3;   ///< above: not quasi-static
@@ -21,6 +21,10 @@ struct Limits {
   double kinetic_ratio = 0.02;     ///< kinetic over stored energy, after 1 % strain
   double unbalanced_force = 0.15;  ///< mean resultant over mean contact force, after 1 % strain
   double time_step_ratio = 0.25;   ///< dt over sqrt(m / k) of the lightest body
+  double least_stiffness_level = 1e-6;  ///< kappa; below: no end in sight, or a slip of units
+  /// Confining pressure over the criterion's uniaxial compressive strength; above: all particles
+  /// fail at once, or a slip of units.
+  double pressure_over_strength = 0.5;
 };
 
 /// An observer of BiaxialTest that collects a warning for each number the first time it is out of
@@ -33,14 +37,13 @@ class RangeCheck {
 
   template <class Sim>
   void begin_stage(const BiaxialView<Sim>& view) {
+    if (view.stage == Stage::compaction) check_units(view);
     if (view.stage != Stage::hydrostatic) return;
     const double mean = stress(view).mean();
     if (mean > view.confining_pressure)
       warnings_.push_back("relaxation left a mean stress of " + to_text(mean) +
                           " Pa, above the confining pressure: the sample is unloaded to it");
-    check(view, "stiffness level kappa", limits_.stiffness_level,
-          stiffness_level(view.confining_pressure, view.sim.particles().thickness(),
-                          view.sim.contacts().law().peak_stiffness()));
+    check(view, "stiffness level kappa", limits_.stiffness_level, kappa(view));
   }
 
   template <class Sim>
@@ -71,6 +74,29 @@ class RangeCheck {
   template <class Sim>
   [[nodiscard]] static Stress2 stress(const BiaxialView<Sim>& view) {
     return average_stress(view.sim.contacts(), view.area, view.sim.particles().thickness());
+  }
+
+  template <class Sim>
+  [[nodiscard]] static double kappa(const BiaxialView<Sim>& view) {
+    return stiffness_level(view.confining_pressure, view.sim.particles().thickness(),
+                           view.sim.contacts().law().peak_stiffness());
+  }
+
+  // Before the first step, for what is wrong now costs hours.
+  template <class Sim>
+  void check_units(const BiaxialView<Sim>& view) {
+    if (kappa(view) < limits_.least_stiffness_level)
+      warnings_.push_back("stiffness level kappa = " + to_text(kappa(view)) + " below " +
+                          to_text(limits_.least_stiffness_level) +
+                          ": is the confining pressure in Pa?");
+    if constexpr (requires { view.sim.model().breakage_model.criterion; }) {
+      const auto& criterion = view.sim.model().breakage_model.criterion;
+      const double ratio = view.confining_pressure / criterion.major_stress_at_failure(0);
+      if (ratio > limits_.pressure_over_strength)
+        warnings_.push_back("confining pressure over uniaxial strength = " + to_text(ratio) +
+                            " above " + to_text(limits_.pressure_over_strength) +
+                            ": is the strength in Pa?");
+    }
   }
 
   template <class Sim>

@@ -3,6 +3,7 @@
 /// The stages of a biaxial test and what an observer sees of them.
 
 #include <riprap/core/vec2.hpp>
+#include <riprap/simulation/observer.hpp>
 
 namespace riprap {
 
@@ -46,29 +47,43 @@ struct BiaxialView {
 namespace hooks {
 
 /// A stage begins.
-inline constexpr auto begin_stage = [](auto& observer, const auto& view) {
-  if constexpr (requires { observer.begin_stage(view); }) observer.begin_stage(view);
+inline constexpr auto begin_stage = []<class O>(O& observer, const auto& view) {
+  if constexpr (requires { observer.begin_stage(view); })
+    observer.begin_stage(view);
+  else
+    check_no_hook<O, requires { requires is_function<&O::begin_stage>; }>();
 };
 
 /// Every hundred steps or so.
-inline constexpr auto progress = [](auto& observer, const auto& view) {
-  if constexpr (requires { observer.progress(view); }) observer.progress(view);
+inline constexpr auto progress = []<class O>(O& observer, const auto& view) {
+  if constexpr (requires { observer.progress(view); })
+    observer.progress(view);
+  else
+    check_no_hook<O, requires { requires is_function<&O::progress>; }>();
 };
 
 /// In shear: at the start, at regular strains, and at the end.
-inline constexpr auto record = [](auto& observer, const auto& view) {
-  if constexpr (requires { observer.record(view); }) observer.record(view);
+inline constexpr auto record = []<class O>(O& observer, const auto& view) {
+  if constexpr (requires { observer.record(view); })
+    observer.record(view);
+  else
+    check_no_hook<O, requires { requires is_function<&O::record>; }>();
 };
 
 /// A particle broke in the step just made; `event` is a BreakEvent.
-inline constexpr auto record_break = [](auto& observer, const auto& view, const auto& event) {
+inline constexpr auto record_break = []<class O>(O& observer, const auto& view, const auto& event) {
   if constexpr (requires { observer.record_break(view, event); })
     observer.record_break(view, event);
+  else
+    check_no_hook<O, requires { requires is_function<&O::record_break>; }>();
 };
 
 /// A stage has ended; `view.reached_target` says how.
-inline constexpr auto end_stage = [](auto& observer, const auto& view) {
-  if constexpr (requires { observer.end_stage(view); }) observer.end_stage(view);
+inline constexpr auto end_stage = []<class O>(O& observer, const auto& view) {
+  if constexpr (requires { observer.end_stage(view); })
+    observer.end_stage(view);
+  else
+    check_no_hook<O, requires { requires is_function<&O::end_stage>; }>();
 };
 
 }  // namespace hooks

@@ -87,7 +87,7 @@ class Simulation {
 
   /// One time step. Throws SimulationError, naming the particle, if its motion is no longer finite.
   template <class... Observers>
-  void step(Observers&... observers) {
+  void step(Observers&&... observers) {
     boundary().drive(particles_.bodies(), time_step_);
     if constexpr (Plane::periodic) contacts_.set_plane(boundary().plane());
     advance_bodies();
