@@ -15,7 +15,6 @@ struct HertzianSpring {    // normal force stiffness * depth^1.5, no friction
     return 0.4 * stiffness * at.depth * at.depth * std::sqrt(at.depth);
   }
   double peak_stiffness() const { return 1.5 * stiffness * std::sqrt(deepest); }
-  void validate() const {}
 };
 
 int main() {

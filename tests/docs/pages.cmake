@@ -33,6 +33,7 @@ foreach(role IN LISTS roles)
   compare(docs/policies/${role}.md docs/policies/examples/${role}.cpp)
 endforeach()
 compare(docs/laws.md docs/examples/laws.cpp)
+compare(docs/reading.md docs/examples/reading.cpp)
 compare(README.md examples/compose/compose.cpp)
 
 if(violations OR NOT roles)

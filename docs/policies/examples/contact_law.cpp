@@ -1,21 +1,24 @@
 #include <cmath>
 
+#include <riprap/contact/law/coulomb_slip.hpp>
 #include <riprap/dynamics/damping/no_damping.hpp>
 #include <riprap/simulation/simulation.hpp>
 using namespace riprap;
 
-struct HertzianSpring {    // normal force stiffness * depth^1.5, no friction
-  double stiffness = 1e9;  // [N/m^1.5]
-  double deepest = 1e-4;   // depth for which the time step is chosen [m]
-  struct History {};       // a contact carries nothing from step to step
-  ContactForce operator()(const ContactGeometry& at, const ContactMotion&, History&) const {
-    return {.normal = stiffness * at.depth * std::sqrt(at.depth)};
+struct HertzianSpring {  // normal force stiffness * depth^1.5, tangential spring with Coulomb slip
+  double stiffness = 1e9, tangential_stiffness = 1e7, friction = 0.5;  // [N/m^1.5], [N/m], [-]
+  double deepest = 1e-4;                         // depth for which the time step is chosen [m]
+  using History = LinearSpringCoulomb::History;  // what a contact carries: its tangential force
+  ContactForce operator()(const ContactGeometry& at, const ContactMotion& m, History& h) const {
+    ContactForce force{.normal = stiffness * std::pow(at.depth, 1.5)};
+    add_coulomb_slip(force, h.tangential_force, tangential_stiffness, friction, m);
+    return force;
   }
-  double stored_energy(const ContactGeometry& at, const History&) const {
-    return 0.4 * stiffness * at.depth * at.depth * std::sqrt(at.depth);
+  double stored_energy(const ContactGeometry& at, const History& h) const {
+    return 0.4 * stiffness * std::pow(at.depth, 2.5) +
+           tangential_energy(h.tangential_force, tangential_stiffness);
   }
   double peak_stiffness() const { return 1.5 * stiffness * std::sqrt(deepest); }
-  void validate() const { require_positive("HertzianSpring.stiffness", stiffness); }
 };
 
 int main() {
