@@ -103,7 +103,14 @@ AnyPlane chosen_plane(const Options& options) {
 }
 
 AnyContact chosen_contact(const Options& options) {
-  if (options.contact == "area") return {riprap::OverlapAreaSpring{}};
+  if (options.contact == "area") {
+    // The stiffness that a chord of the mean diameter has does not change with the size.
+    riprap::OverlapAreaSpring law;
+    const double size = options.mean_diameter / law.largest_chord;
+    law.area_stiffness /= size * size;
+    law.largest_chord = options.mean_diameter;
+    return {law};
+  }
   if (options.contact == "dashpot") return {riprap::SpringDashpot{}};
   return {riprap::LinearSpringCoulomb{}};
 }

@@ -142,9 +142,11 @@ Json parameters_json(const Options& o, const Sim& sim, const riprap::BiaxialTest
 template <class Value>
 double largest(const riprap::Curve& curve, double from_strain, Value value) {
   double most = 0;
-  for (const riprap::CurvePoint& p : curve.points())
-    if (const auto v = static_cast<double>(value(p)); p.axial_strain >= from_strain && !(v <= most))
-      most = v;
+  for (const riprap::CurvePoint& p : curve.points()) {
+    const auto v = static_cast<double>(value(p));
+    if (std::isnan(v)) return v;
+    if (p.axial_strain >= from_strain) most = std::max(most, v);
+  }
   return most;
 }
 
@@ -192,16 +194,26 @@ inline std::vector<double> sieves_below(double largest) {
   return sieves;
 }
 
+// An index that has no meaning for this grading (all of it below Hardin's limit, say) is null.
+template <class Index>
+Json index_json(Index index) {
+  try {
+    return index();
+  } catch (const riprap::InvalidInput&) {
+    return nullptr;
+  }
+}
+
 inline Json grading_json(const riprap::Particles& particles) {
   using namespace riprap;
   const Grading before = grading_before_breakage(particles);
   const Grading after = grading(particles);
   return {{"d10_m", {before.size_at(0.10), after.size_at(0.10)}},
           {"d50_m", {before.size_at(0.50), after.size_at(0.50)}},
-          {"hardin_b_r", hardin_breakage(before, after)},
+          {"hardin_b_r", index_json([&] { return hardin_breakage(before, after); })},
           {"marsal_b_g", marsal_breakage(before, after, sieves_below(before.largest()))},
           {"lade_b_10", lade_breakage(before, after)},
-          {"einav_b_r", einav_breakage(before, after)}};
+          {"einav_b_r", index_json([&] { return einav_breakage(before, after); })}};
 }
 
 template <class Sim>

@@ -13,6 +13,7 @@
 
 using namespace riprap;
 using riprap::test::near;
+using riprap::test::near_relative;
 using riprap::test::PictureBox;
 using riprap::test::rectangle;
 using riprap::test::SvgElement;
@@ -200,4 +201,20 @@ TEST_CASE("the two axes are named and point right and up") {
   CHECK(distance("axis 1", first) < 10);
   CHECK(distance("axis 2", second) < 10);
   CHECK_NOTHROW(static_cast<void>(test::text_element(all, "An assembly")));
+}
+
+TEST_CASE("of platens a rim round the sample is seen, and their ends are cut off") {
+  Particles particles(1, 1);
+  particles.add({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, Motion::free);
+  particles.add({{1, -5}, {1.5, -5}, {1.5, 6}, {1, 6}}, Motion::platen);
+  const AssemblyView view(particles);
+  // The square and a rim of 4 % of its side on all sides are 900 pixels.
+  CHECK(view.scale() == near_relative(900 / 1.08, 1e-12));
+  const std::vector<Vec2> seen = view(particles.ring(1));
+  REQUIRE(seen.size() == 4);
+  for (const Vec2& v : seen) {
+    CHECK(v.x() <= view(Vec2{1.04, 0}).x() + 1e-9);
+    CHECK(v.y() >= view(Vec2{0, 1.04}).y() - 1e-9);
+    CHECK(v.y() <= view(Vec2{0, -0.04}).y() + 1e-9);
+  }
 }

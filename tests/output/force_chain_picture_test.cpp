@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <riprap/dynamics/boundary/no_boundary.hpp>
 #include <riprap/dynamics/boundary/periodic_cell.hpp>
 #include <riprap/output/force_chain_picture.hpp>
 #include <riprap/simulation/simulation.hpp>
@@ -102,7 +103,7 @@ TEST_CASE("a chain ends at a platen") {
       .thickness = 0.016,
       .particles = {{test::rectangle({0, 0}, 0.01, 0.01)},
                     {test::rectangle({0, 0.00999}, 0.03, 0.01), Motion::platen}}};
-  const Simulation sim{Model{}.criterion(NeverFails{}), assembly, Rock{}};
+  const Simulation sim{Model{}.criterion(NeverFails{}).boundary(NoBoundary{}), assembly, Rock{}};
   const auto all =
       test::svg_elements(force_chain_picture(sim.particles(), sim.contacts(), "Forces").document());
   CHECK(chains(all, AssemblyView(sim.particles())).size() == 1);

@@ -43,7 +43,7 @@ TEST_CASE_TEMPLATE("kinetic energy is what contacts, body force and damping leav
   const Body before = particles.body(0);
   BodyWork work;
   const Motion2<Scheme> motion;
-  const BodyStep step(motion, Vec2{0, -9.81}, dt, work);
+  const BodyStep step(motion, OpenPlane{}, Vec2{0, -9.81}, dt, work);
   CHECK(step.first_kick_time() + step.second_kick_time() == near(dt, 1e-18));
   step.advance(particles);
   if (step.needs_finish) step.finish(particles);
@@ -64,7 +64,7 @@ TEST_CASE("a driven body drifts at its velocity whatever pushes it, and vertices
   Particles particles = pushed();
   BodyWork work;
   const Motion2<SymplecticEuler> motion;
-  BodyStep(motion, Vec2{0, 0}, dt, work).advance(particles);
+  BodyStep(motion, OpenPlane{}, Vec2{0, 0}, dt, work).advance(particles);
   CHECK(particles.body(1).velocity == Vec2{3, 0});
   CHECK(particles.ring(1)[0].x() == near(5 + 3 * dt, 1e-15));
   CHECK(particles.ring(0)[0].x() > 3 * dt * 0.98);
@@ -75,7 +75,7 @@ TEST_CASE("motion that is no longer finite is an error that names the particle")
   particles.body(0).contact.force.x() = std::numeric_limits<double>::infinity();
   BodyWork work;
   const Motion2<SymplecticEuler> motion;
-  CHECK_THROWS_WITH_AS(BodyStep(motion, Vec2{0, 0}, dt, work).advance(particles),
+  CHECK_THROWS_WITH_AS(BodyStep(motion, OpenPlane{}, Vec2{0, 0}, dt, work).advance(particles),
                        "particle 0: motion is no longer finite; the time step may be too long",
                        SimulationError);
 }

@@ -62,6 +62,7 @@ class ContactList {
 
   /// The plane as of the coming update.
   void set_plane(const Plane& plane) { plane_ = plane; }
+  [[nodiscard]] const Plane& plane() const { return plane_; }
 
   /// Every pair near each other, touching or not, sorted by (a, b, image).
   [[nodiscard]] std::span<const ContactType> pairs() const { return pairs_; }

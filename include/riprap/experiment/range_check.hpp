@@ -58,6 +58,8 @@ class RangeCheck {
     check(view, "time step over sqrt(m/k)", limits_.time_step_ratio,
           time_step_ratio(view.sim.time_step(), particles,
                           view.sim.contacts().law().peak_stiffness()));
+    const auto lost = view.sim.boundary().region(particles).lost();
+    check(view, "particles outside the boundary", 0, static_cast<double>(lost));
     if (view.axial_strain() < 0.01) return;
     check(view, "kinetic over stored energy", limits_.kinetic_ratio, state.kinetic_ratio());
     check(view, "unbalanced force", limits_.unbalanced_force, state.unbalanced_force);

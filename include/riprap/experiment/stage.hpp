@@ -47,43 +47,49 @@ struct BiaxialView {
 namespace hooks {
 
 /// A stage begins.
-inline constexpr auto begin_stage = []<class O>(O& observer, const auto& view) {
+inline constexpr auto begin_stage = []<class O, class View>(O& observer, const View& view) {
   if constexpr (requires { observer.begin_stage(view); })
     observer.begin_stage(view);
   else
-    check_no_hook<O, requires { requires is_function<&O::begin_stage>; }>();
+    check_no_hook<O, requires { requires IsFunction<&O::begin_stage>; },
+                  requires(View& other) { observer.begin_stage(other); }>();
 };
 
 /// Every hundred steps or so.
-inline constexpr auto progress = []<class O>(O& observer, const auto& view) {
+inline constexpr auto progress = []<class O, class View>(O& observer, const View& view) {
   if constexpr (requires { observer.progress(view); })
     observer.progress(view);
   else
-    check_no_hook<O, requires { requires is_function<&O::progress>; }>();
+    check_no_hook<O, requires { requires IsFunction<&O::progress>; },
+                  requires(View& other) { observer.progress(other); }>();
 };
 
 /// In shear: at the start, at regular strains, and at the end.
-inline constexpr auto record = []<class O>(O& observer, const auto& view) {
+inline constexpr auto record = []<class O, class View>(O& observer, const View& view) {
   if constexpr (requires { observer.record(view); })
     observer.record(view);
   else
-    check_no_hook<O, requires { requires is_function<&O::record>; }>();
+    check_no_hook<O, requires { requires IsFunction<&O::record>; },
+                  requires(View& other) { observer.record(other); }>();
 };
 
 /// A particle broke in the step just made; `event` is a BreakEvent.
-inline constexpr auto record_break = []<class O>(O& observer, const auto& view, const auto& event) {
+inline constexpr auto record_break = []<class O, class View>(O& observer, const View& view,
+                                                             const auto& event) {
   if constexpr (requires { observer.record_break(view, event); })
     observer.record_break(view, event);
   else
-    check_no_hook<O, requires { requires is_function<&O::record_break>; }>();
+    check_no_hook<O, requires { requires IsFunction<&O::record_break>; },
+                  requires(View& other) { observer.record_break(other, event); }>();
 };
 
 /// A stage has ended; `view.reached_target` says how.
-inline constexpr auto end_stage = []<class O>(O& observer, const auto& view) {
+inline constexpr auto end_stage = []<class O, class View>(O& observer, const View& view) {
   if constexpr (requires { observer.end_stage(view); })
     observer.end_stage(view);
   else
-    check_no_hook<O, requires { requires is_function<&O::end_stage>; }>();
+    check_no_hook<O, requires { requires IsFunction<&O::end_stage>; },
+                  requires(View& other) { observer.end_stage(other); }>();
 };
 
 }  // namespace hooks

@@ -3,11 +3,13 @@
 /// The window through which pictures of an assembly look at it: scale, axes, scale bar.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include <riprap/geometry/overlap.hpp>
 #include <riprap/output/svg.hpp>
 #include <riprap/output/unit_prefix.hpp>
 #include <riprap/particle/particles.hpp>
@@ -25,9 +27,18 @@ class AssemblyView {
       low = low.cwiseMin(v);
       high = high.cwiseMax(v);
     };
+    bool has_platens = false;
     for (BodyIndex i = 0; i < particles.size(); ++i)
-      for (const Vec2& v : particles.ring(i)) include(v);
+      if (particles.body(i).motion == Motion::platen)
+        has_platens = true;
+      else
+        for (const Vec2& v : particles.ring(i)) include(v);
     for (const Vec2& v : also) include(v);
+    if (has_platens) {
+      const double rim = platen_rim * (high - low).maxCoeff();
+      low.array() -= rim;
+      high.array() += rim;
+    }
     scale_ = extent / (high - low).maxCoeff();
     centre_ = 0.5 * (low + high);
     half_ = 0.5 * scale_ * (high - low);
@@ -44,9 +55,22 @@ class AssemblyView {
     const Vec2 d = scale_ * (x - centre_);
     return {margin + half_.x() + d.x(), header + margin + half_.y() - d.y()};
   }
+  /// The part of a convex ring that is in the window: platens reach out of it.
   [[nodiscard]] std::vector<Vec2> operator()(Ring ring) const {
+    const Vec2 reach = half_ / scale_;
+    const Vec2 across{reach.x(), -reach.y()};
+    const std::array<Vec2, 4> window{centre_ - reach, centre_ + across, centre_ + reach,
+                                     centre_ - across};
+    const auto outside = [&](const Vec2& v) {
+      return ((v - centre_).cwiseAbs() - reach).maxCoeff() > 1e-9 * reach.maxCoeff();
+    };
     std::vector<Vec2> out;
-    for (const Vec2& v : ring) out.push_back((*this)(v));
+    if (std::none_of(ring.begin(), ring.end(), outside)) {
+      for (const Vec2& v : ring) out.push_back((*this)(v));
+    } else {
+      const OverlapPolygon seen = overlap(window, ring, centre_, 0);
+      for (const Vec2& v : seen.ring()) out.push_back((*this)(centre_ + v));
+    }
     return out;
   }
 
@@ -80,7 +104,8 @@ class AssemblyView {
   }
 
  private:
-  static constexpr double extent = 900;  // pixels of the larger side
+  static constexpr double extent = 900;       // pixels of the larger side
+  static constexpr double platen_rim = 0.04;  // of the sample, in which platens are seen
   static constexpr double margin = 20;
   static constexpr double header = 30;
   static constexpr double legend = 190;

@@ -19,8 +19,8 @@ namespace internal {
 }  // namespace internal
 
 /// Places polygons at random without overlap in a square about the origin, between four platens
-/// (ids 0 to 3) that are long enough to close it in until it has grown by a quarter. For
-/// RigidPlatens. Same seed, same bytes; of the options, those of the ring have no effect.
+/// (ids 0 to 3) that are twice as long as the square is wide. For RigidPlatens. Same seed, same
+/// bytes; of the options, those of the ring have no effect.
 [[nodiscard]] inline Assembly random_platen_assembly(const RandomAssembly& options) {
   options.validate();
   Random random(options.seed);
@@ -29,7 +29,7 @@ namespace internal {
 
   Assembly assembly{.thickness = options.thickness, .particles = {}};
   const double d = options.mean_diameter;
-  const double end = half + d;
+  const double end = 2 * half;
   const ConvexPolygon right{{half, -end}, {half + d, -end}, {half + d, end}, {half, end}};
   for (const Rotation& side : {Rotation{1, 0}, Rotation{-1, 0}, Rotation{0, 1}, Rotation{0, -1}})
     assembly.particles.push_back({right.moved(side, {0, 0}), Motion::platen});

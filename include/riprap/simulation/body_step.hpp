@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include <riprap/contact/plane.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/dynamics/integrator/concepts.hpp>
 #include <riprap/particle/particles.hpp>
@@ -20,14 +21,16 @@ struct BodyWork {
 /// Moves free bodies by the integrator and driven ones at their velocity. Each kick's work is
 /// booked with the velocities before and after it.
 /// @tparam MotionPart offers `integrator` and `damping`
-template <class MotionPart>
+template <class MotionPart, class Plane>
 class BodyStep {
  public:
   static constexpr bool needs_finish = decltype(MotionPart::integrator)::needs_finish;
 
   /// @param body_force acceleration of the uniform body force [m/s^2]; @param time_step [s]
-  BodyStep(const MotionPart& motion, const Vec2& body_force, double time_step, BodyWork& work)
-      : motion_(motion), body_force_(body_force), time_step_(time_step), work_(work) {}
+  BodyStep(const MotionPart& motion, const Plane& plane, const Vec2& body_force, double time_step,
+           BodyWork& work)
+      : motion_(motion), plane_(plane), body_force_(body_force), time_step_(time_step),
+        work_(work) {}
 
   /// Time of the first and of the second kick [s].
   [[nodiscard]] double first_kick_time() const {
@@ -76,7 +79,7 @@ class BodyStep {
   void kick_free(Body& body, double kick_time, Kick&& kick) const {
     const Body before = body;
     Wrench total{body.contact.force + body.mass * body_force_, body.contact.moment};
-    const Wrench damped = motion_.damping(body, total);
+    const Wrench damped = motion_.damping(seen_by_damping(body), total);
     total.force += damped.force;
     total.moment += damped.moment;
     kick(body, total);
@@ -84,6 +87,17 @@ class BodyStep {
     const double spin = 0.5 * (before.angular_velocity + body.angular_velocity);
     work_.body_force += kick_time * body.mass * body_force_.dot(velocity);
     work_.damping -= kick_time * (damped.force.dot(velocity) + damped.moment * spin);
+  }
+
+  // Damping acts on the motion relative to a periodic cell's own, which is the same for all images.
+  [[nodiscard]] decltype(auto) seen_by_damping(const Body& body) const {
+    if constexpr (Plane::periodic) {
+      Body seen = body;
+      seen.velocity += plane_.rate.cwiseProduct(body.position);
+      return seen;
+    } else {
+      return (body);
+    }
   }
 
   void book_driven(const Body& body, double kick_time) const {
@@ -97,6 +111,7 @@ class BodyStep {
   }
 
   const MotionPart& motion_;
+  [[no_unique_address]] Plane plane_;
   Vec2 body_force_;
   double time_step_;
   BodyWork& work_;

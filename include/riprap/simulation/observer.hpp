@@ -15,65 +15,72 @@
 namespace riprap::hooks {
 
 template <auto member>
-concept is_function = std::is_member_function_pointer_v<decltype(member)>;
+concept IsFunction = std::is_member_function_pointer_v<decltype(member)>;
 
-template <class O, bool there>
-concept HasNoSuchHook = !there;
+template <class O, bool is_function, bool takes_reference>
+concept HasNoSuchHook = !is_function && !takes_reference;
 
 /// Says in one sentence that an observer would be passed over in silence.
-template <class O, bool there>
+template <class O, bool is_function, bool takes_reference>
 consteval void check_no_hook() {
-  static_assert(HasNoSuchHook<O, there>,
+  static_assert(HasNoSuchHook<O, is_function, takes_reference>,
                 "riprap: an observer has a hook that cannot be called with a const "
                 "reference to what hooks get (docs/policies/observer.md)");
 }
 
 /// Bodies have moved, contacts are still those of the last step.
-inline constexpr auto before_forces = []<class O>(O& observer, const auto& sim) {
+inline constexpr auto before_forces = []<class O, class Sim>(O& observer, const Sim& sim) {
   if constexpr (requires { observer.before_forces(sim); })
     observer.before_forces(sim);
   else
-    check_no_hook<O, requires { requires is_function<&O::before_forces>; }>();
+    check_no_hook<O, requires { requires IsFunction<&O::before_forces>; },
+                  requires(Sim& other) { observer.before_forces(other); }>();
 };
 
 /// Contacts are those of the new poses.
-inline constexpr auto after_forces = []<class O>(O& observer, const auto& sim) {
+inline constexpr auto after_forces = []<class O, class Sim>(O& observer, const Sim& sim) {
   if constexpr (requires { observer.after_forces(sim); })
     observer.after_forces(sim);
   else
-    check_no_hook<O, requires { requires is_function<&O::after_forces>; }>();
+    check_no_hook<O, requires { requires IsFunction<&O::after_forces>; },
+                  requires(Sim& other) { observer.after_forces(other); }>();
 };
 
 /// Some particles are about to break; poses stay as they are until after_splits.
-inline constexpr auto before_splits = []<class O>(O& observer, const auto& sim) {
+inline constexpr auto before_splits = []<class O, class Sim>(O& observer, const Sim& sim) {
   if constexpr (requires { observer.before_splits(sim); })
     observer.before_splits(sim);
   else
-    check_no_hook<O, requires { requires is_function<&O::before_splits>; }>();
+    check_no_hook<O, requires { requires IsFunction<&O::before_splits>; },
+                  requires(Sim& other) { observer.before_splits(other); }>();
 };
 
 /// One particle has become two; `event` is a BreakEvent.
-inline constexpr auto on_break = []<class O>(O& observer, const auto& sim, const auto& event) {
+inline constexpr auto on_break = []<class O, class Sim>(O& observer, const Sim& sim,
+                                                        const auto& event) {
   if constexpr (requires { observer.on_break(sim, event); })
     observer.on_break(sim, event);
   else
-    check_no_hook<O, requires { requires is_function<&O::on_break>; }>();
+    check_no_hook<O, requires { requires IsFunction<&O::on_break>; },
+                  requires(Sim& other) { observer.on_break(other, event); }>();
 };
 
 /// Pieces have met their neighbours.
-inline constexpr auto after_splits = []<class O>(O& observer, const auto& sim) {
+inline constexpr auto after_splits = []<class O, class Sim>(O& observer, const Sim& sim) {
   if constexpr (requires { observer.after_splits(sim); })
     observer.after_splits(sim);
   else
-    check_no_hook<O, requires { requires is_function<&O::after_splits>; }>();
+    check_no_hook<O, requires { requires IsFunction<&O::after_splits>; },
+                  requires(Sim& other) { observer.after_splits(other); }>();
 };
 
 /// The step is complete.
-inline constexpr auto after_step = []<class O>(O& observer, const auto& sim) {
+inline constexpr auto after_step = []<class O, class Sim>(O& observer, const Sim& sim) {
   if constexpr (requires { observer.after_step(sim); })
     observer.after_step(sim);
   else
-    check_no_hook<O, requires { requires is_function<&O::after_step>; }>();
+    check_no_hook<O, requires { requires IsFunction<&O::after_step>; },
+                  requires(Sim& other) { observer.after_step(other); }>();
 };
 
 }  // namespace riprap::hooks

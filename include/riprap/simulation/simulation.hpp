@@ -188,7 +188,7 @@ class Simulation {
   }
 
   [[nodiscard]] auto body_step() {
-    return BodyStep(model_.motion_model, body_force_, time_step_, work_);
+    return BodyStep(model_.motion_model, contacts_.plane(), body_force_, time_step_, work_);
   }
 
   // Forces of the present poses move the bodies to the next ones.
@@ -216,7 +216,8 @@ class Simulation {
     const std::size_t first = breaks_.size();
     (hooks::before_splits(observers, *this), ...);
     for (const auto& [i, crack] : cracks) split(i, crack);
-    // Pieces meet their neighbours anew at the same poses; all other forces come out as they were.
+    // Pieces meet their neighbours anew at the same poses. All other forces come out as they were,
+    // but those of dashpots after a second kick, which has changed the velocities.
     contacts_.update(particles_, 0);
     (hooks::after_splits(observers, *this), ...);
     for (std::size_t k = first; k < breaks_.size(); ++k)

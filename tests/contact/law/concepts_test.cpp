@@ -54,6 +54,10 @@ struct StiffnessIsNotConst : archetype::ContactLaw {
   double peak_stiffness() { return 1; }
 };
 
+struct FrictionlessNotConst : archetype::ContactLaw {
+  FrictionlessNotConst frictionless() { return *this; }
+};
+static_assert(!ContactLaw<FrictionlessNotConst>);
 static_assert(ContactLaw<archetype::ContactLaw>);
 static_assert(!ContactLaw<WithoutHistory>);
 static_assert(!ContactLaw<HistoryThatMustBeMade>);

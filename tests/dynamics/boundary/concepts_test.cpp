@@ -33,6 +33,20 @@ struct RegionNotConst : archetype::SampleBoundary {
   }
 };
 
+struct EnclosesTheAssemblyOnly : archetype::Boundary {
+  void enclose(const Assembly&) {}
+};
+struct PlaneWithoutDrift : archetype::Boundary {
+  PeriodicPlane plane() const { return {}; }
+};
+struct PlaneNotConst : archetype::Boundary {
+  PeriodicPlane plane() { return {}; }
+  void drift(double) {}
+};
+
+static_assert(!Boundary<EnclosesTheAssemblyOnly>);
+static_assert(!Boundary<PlaneWithoutDrift>);
+static_assert(!Boundary<PlaneNotConst>);
 static_assert(SampleBoundary<archetype::SampleBoundary>);
 static_assert(!SampleBoundary<archetype::Boundary>);
 static_assert(!SampleBoundary<WithoutRate>);

@@ -45,6 +45,14 @@ TEST_CASE("at a constant rate the cell shrinks exponentially") {
   CHECK(cell.plane().rate == Vec2{0.5, -0.1});
 }
 
+TEST_CASE("boundary bodies in a periodic cell are an error") {
+  Particles particles = two_triangles();
+  particles.body(1).motion = Motion::platen;
+  PeriodicCell cell;
+  CHECK_THROWS_WITH_AS(cell.enclose({.particles = {}, .period = {4, 2}}, particles),
+                       "particle 1: a PeriodicCell has no boundary bodies", InvalidInput);
+}
+
 TEST_CASE("an assembly without a period is an error") {
   PeriodicCell cell;
   CHECK_THROWS_WITH_AS(

@@ -57,6 +57,28 @@ TEST_CASE("a step shortens the sample by rate times its extent, along each norma
   for (BodyIndex i = 4; i < 7; ++i) CHECK(particles.body(i).velocity == Vec2{0, 0});
 }
 
+TEST_CASE("platens do not turn, and move no further than they close the sample") {
+  Particles particles = placed(uneven);
+  RigidPlatens platens;
+  platens.enclose(uneven, particles);
+  particles.body(0).angular_velocity = 1;
+  platens.drive(particles.bodies(), 1e-3);
+  CHECK(particles.body(0).angular_velocity == 0);
+  // The platens above and below reach from -9 to 9.
+  particles.body(2).position.x() += 4.9;
+  platens.drive(particles.bodies(), 1e-3);
+  particles.body(2).position.x() += 0.2;
+  CHECK_THROWS_AS(platens.drive(particles.bodies(), 1e-3), SimulationError);
+}
+
+TEST_CASE("bodies that platens would not move are an error that names the first") {
+  Assembly mixed = uneven;
+  mixed.particles[5].motion = Motion::strain_field;
+  RigidPlatens platens;
+  CHECK_THROWS_WITH_AS(platens.enclose(mixed, placed(mixed)),
+                       "particle 5: RigidPlatens moves platens only", InvalidInput);
+}
+
 TEST_CASE("a side without a platen is an error") {
   Assembly three = uneven;
   three.particles[2].motion = Motion::free;

@@ -60,6 +60,11 @@ static_assert(!Integrator<WithoutAdvance>);
 static_assert(!Integrator<WithoutFinish>);
 static_assert(!Integrator<Remembers>);
 static_assert(!Integrator<ChangesTheWrench>);
+
+struct FirstKickNotConst : archetype::Integrator {
+  double first_kick() { return 0.5; }
+};
+static_assert(!Integrator<FirstKickNotConst>);
 static_assert(!Integrator<NeedsFinishOfAnObject>);
 static_assert(!Integrator<ChangesTheStep>);
 static_assert(!Integrator<FinishIsNotConst>);

@@ -56,6 +56,14 @@ concept ContactLawStiffness = requires(const L& law) {
   { law.peak_stiffness() } -> std::convertible_to<double>;
 };
 
+/// Optional: `law.frictionless()` -> another law of its type. Not const, it would be passed over in
+/// silence, and samples would compact with friction.
+template <class L>
+concept ContactLawFrictionless =
+    !requires(L& law) { law.frictionless(); } || requires(const L& law) {
+      { law.frictionless() } -> std::convertible_to<L>;
+    };
+
 }  // namespace clauses
 
 /// A `ContactLaw` computes contact forces.
@@ -65,7 +73,8 @@ concept ContactLawStiffness = requires(const L& law) {
 /// `may_pull` that is true: the normal force may be negative.
 template <class L>
 concept ContactLaw = Policy<L> && clauses::ContactLawHistory<L> && clauses::ContactLawCall<L> &&
-                     clauses::ContactLawEnergy<L> && clauses::ContactLawStiffness<L>;
+                     clauses::ContactLawEnergy<L> && clauses::ContactLawStiffness<L> &&
+                     clauses::ContactLawFrictionless<L>;
 
 template <class L>
 consteval bool check_contact_law() {
@@ -83,6 +92,8 @@ consteval bool check_contact_law() {
         "History&) const");
     static_assert(clauses::ContactLawStiffness<L>,
                   "riprap: a ContactLaw must have double peak_stiffness() const");
+    static_assert(clauses::ContactLawFrictionless<L>,
+                  "riprap: frictionless() of a ContactLaw must be const and return such a law");
   }
   return ContactLaw<L>;
 }

@@ -4,10 +4,15 @@
 
 #include <concepts>
 #include <cstddef>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include <riprap/contact/plane.hpp>
+#include <riprap/core/errors.hpp>
 #include <riprap/core/policy.hpp>
 #include <riprap/core/vec2.hpp>
+#include <riprap/particle/assembly.hpp>
 #include <riprap/particle/body.hpp>
 #include <riprap/particle/particles.hpp>
 
@@ -38,25 +43,43 @@ concept SampleBoundaryRegion = requires(const B& boundary, const Particles& part
   { boundary.region(particles).lost() } -> std::convertible_to<std::size_t>;
 };
 
+/// Optional: `boundary.enclose(assembly, particles)`, called once, before the first step; throws
+/// InvalidInput for an assembly that it cannot bound. Another signature would be passed over in
+/// silence.
+template <class B>
+concept BoundaryEnclose = !requires {
+  &B::enclose;
+} || requires(B& boundary, const Assembly& assembly, const Particles& particles) {
+  boundary.enclose(assembly, particles);
+};
+
+/// Optional: `boundary.plane()` and `boundary.drift(time_step)`, which brings the plane to the next
+/// poses, once a step: the simulation runs in a periodic cell.
+template <class B>
+concept BoundaryPlane = !requires(B& boundary) { boundary.plane(); } ||
+                        requires(B& boundary, const B& still, const double time_step) {
+                          { still.plane() } -> std::convertible_to<PeriodicPlane>;
+                          boundary.drift(time_step);
+                        };
+
 }  // namespace clauses
 
 /// A `Boundary` sets the velocities of driven bodies at the start of every step. The simulation
 /// books the work of the contacts on them.
-///
-/// Optional:
-/// - `boundary.enclose(assembly, particles)`: called once, before the first step; throws
-///   InvalidInput for an assembly that it cannot bound.
-/// - `boundary.plane()` -> PeriodicPlane, and `boundary.drift(time_step)`, called once a step,
-/// which
-///   brings the plane to the next poses: the simulation runs in a periodic cell.
 template <class B>
-concept Boundary = Policy<B> && clauses::BoundaryDrive<B>;
+concept Boundary = Policy<B> && clauses::BoundaryDrive<B> && clauses::BoundaryEnclose<B> &&
+                   clauses::BoundaryPlane<B>;
 
 template <class B>
 consteval bool check_boundary() {
   check_policy<B>();
   static_assert(clauses::BoundaryDrive<B>,
                 "riprap: a Boundary must have void drive(std::vector<Body>&, double)");
+  static_assert(clauses::BoundaryEnclose<B>,
+                "riprap: enclose of a Boundary must take (const Assembly&, const Particles&)");
+  static_assert(clauses::BoundaryPlane<B>,
+                "riprap: a Boundary with a plane() must have PeriodicPlane plane() const and void "
+                "drift(double)");
   return Boundary<B>;
 }
 
@@ -74,6 +97,13 @@ consteval bool check_sample_boundary() {
                 "riprap: the boundary of a BiaxialTest must have region(const Particles&) const "
                 "with area(), semi_axes(), solid_area() and lost()");
   return SampleBoundary<B>;
+}
+
+/// Throws InvalidInput, naming the first body of this motion and the rule.
+inline void refuse_motion(const Particles& particles, Motion motion, std::string_view rule) {
+  for (BodyIndex i = 0; i < particles.size(); ++i)
+    if (particles.body(i).motion == motion)
+      throw InvalidInput(particle_text(particles.ancestry(i).id) + ": " + std::string(rule));
 }
 
 /// Area of the free particles [m^2].

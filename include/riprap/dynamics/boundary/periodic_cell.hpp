@@ -36,8 +36,10 @@ class PeriodicCell {
   void set_rate(double axis_1, double axis_2) { plane_.rate = {axis_1, axis_2}; }
   [[nodiscard]] const Vec2& rate() const { return plane_.rate; }
 
-  /// Throws InvalidInput if the assembly is not periodic.
-  void enclose(const Assembly& assembly, const Particles& /*particles*/) {
+  /// Throws InvalidInput if the assembly is not periodic or has a boundary of its own.
+  void enclose(const Assembly& assembly, const Particles& particles) {
+    for (const Motion motion : {Motion::strain_field, Motion::platen})
+      refuse_motion(particles, motion, "a PeriodicCell has no boundary bodies");
     require_positive("PeriodicCell: Assembly.period along axis 1", assembly.period.x());
     require_positive("PeriodicCell: Assembly.period along axis 2", assembly.period.y());
     plane_.period = assembly.period;

@@ -2,8 +2,10 @@
 /// @file
 /// Four rigid, smooth walls that close in on the origin.
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <riprap/core/errors.hpp>
@@ -38,7 +40,8 @@ class PlatenRegion {
 
 /// Moves the inner face of every body of Motion::platen with v = -rate x along its normal: one
 /// platen on each side of the origin, its centroid on axis 1 or 2, its inner face across that axis.
-/// Contacts with platens carry no tangential force.
+/// Contacts with platens carry no tangential force. A platen that has come to the end of its
+/// neighbours is a SimulationError.
 class RigidPlatens {
  public:
   /// Shortening rates along axes 1 and 2 [1/s], positive in compression.
@@ -47,6 +50,7 @@ class RigidPlatens {
 
   /// Throws InvalidInput unless there is one platen on each side.
   void enclose(const Assembly& /*assembly*/, const Particles& particles) {
+    refuse_motion(particles, Motion::strain_field, "RigidPlatens moves platens only");
     platens_.clear();
     for (BodyIndex i = 0; i < particles.size(); ++i)
       if (particles.body(i).motion == Motion::platen) platens_.push_back(platen(particles, i));
@@ -59,18 +63,23 @@ class RigidPlatens {
   }
 
   void drive(std::vector<Body>& bodies, double /*time_step*/) const {
+    const auto [low, high] = faces([&bodies](BodyIndex i) { return bodies[i].position; });
     for (const Platen& p : platens_) {
       Body& body = bodies[p.body];
+      const int across = 1 - p.axis;
+      if (low[across] < body.position[across] - p.reach ||
+          high[across] > body.position[across] + p.reach)
+        throw SimulationError("the platens no longer close the sample: one has passed the end of "
+                              "its neighbours");
       body.velocity = Vec2{0, 0};
       body.velocity[p.axis] = -rate_[p.axis] * (body.position[p.axis] + p.to_face);
+      body.angular_velocity = 0;
     }
   }
 
   [[nodiscard]] PlatenRegion region(const Particles& particles) const {
-    Vec2 low{0, 0};
-    Vec2 high{0, 0};
-    for (const Platen& p : platens_)
-      (p.to_face > 0 ? low : high)[p.axis] = particles.body(p.body).position[p.axis] + p.to_face;
+    const auto [low, high] =
+        faces([&particles](BodyIndex i) { return particles.body(i).position; });
     return {particles, low, high};
   }
 
@@ -79,15 +88,32 @@ class RigidPlatens {
     BodyIndex body = 0;
     int axis = 0;        ///< along which it moves: 0 or 1
     double to_face = 0;  ///< from its centroid to its inner face along that axis [m]
+    double reach = 0;    ///< from its centroid to its nearer end across that axis [m]
   };
+
+  // Corners of the rectangle between the inner faces.
+  template <class PositionOf>
+  [[nodiscard]] std::pair<Vec2, Vec2> faces(PositionOf&& position_of) const {
+    Vec2 low{0, 0};
+    Vec2 high{0, 0};
+    for (const Platen& p : platens_)
+      (p.to_face > 0 ? low : high)[p.axis] = position_of(p.body)[p.axis] + p.to_face;
+    return {low, high};
+  }
 
   [[nodiscard]] static Platen platen(const Particles& particles, BodyIndex i) {
     const Vec2& centre = particles.body(i).position;
     const int axis = std::abs(centre.x()) >= std::abs(centre.y()) ? 0 : 1;
     double nearest = centre[axis];
-    for (const Vec2& v : particles.ring(i))
+    double low = centre[1 - axis];
+    double high = low;
+    for (const Vec2& v : particles.ring(i)) {
       if (std::abs(v[axis]) < std::abs(nearest)) nearest = v[axis];
-    return {i, axis, nearest - centre[axis]};
+      low = std::min(low, v[1 - axis]);
+      high = std::max(high, v[1 - axis]);
+    }
+    return {i, axis, nearest - centre[axis],
+            std::min(high - centre[1 - axis], centre[1 - axis] - low)};
   }
 
   Vec2 rate_{0, 0};

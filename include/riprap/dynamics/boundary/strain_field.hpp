@@ -7,6 +7,7 @@
 #include <riprap/core/vec2.hpp>
 #include <riprap/dynamics/boundary/boundary_polygon.hpp>
 #include <riprap/dynamics/boundary/concepts.hpp>
+#include <riprap/particle/assembly.hpp>
 
 namespace riprap {
 
@@ -21,7 +22,15 @@ class StrainField {
 
   void drive(std::vector<Body>& bodies, double /*time_step*/) const {
     for (Body& body : bodies)
-      if (body.motion == Motion::strain_field) body.velocity = -rate_.cwiseProduct(body.position);
+      if (body.motion == Motion::strain_field) {
+        body.velocity = -rate_.cwiseProduct(body.position);
+        body.angular_velocity = 0;
+      }
+  }
+
+  /// Throws InvalidInput for platens.
+  void enclose(const Assembly& /*assembly*/, const Particles& particles) const {
+    refuse_motion(particles, Motion::platen, "StrainField moves no platens; RigidPlatens does");
   }
 
   [[nodiscard]] BoundaryPolygon region(const Particles& particles) const {

@@ -41,6 +41,14 @@ concept IntegratorFinish =
       integrator.finish(body, wrench, time_step);
     };
 
+/// Optional: `integrator.first_kick()` [-]. Not const, it would be passed over in silence, and work
+/// would be booked wrongly.
+template <class I>
+concept IntegratorFirstKick =
+    !requires(I& integrator) { integrator.first_kick(); } || requires(const I& integrator) {
+      { integrator.first_kick() } -> std::convertible_to<double>;
+    };
+
 }  // namespace clauses
 
 /// An `Integrator` advances one free body. A step calls `advance` with the wrench at the present
@@ -53,9 +61,9 @@ concept IntegratorFinish =
 /// Optional: `integrator.first_kick()` [-], the share of `advance`, 0 to 1; `finish` has the rest.
 /// Without it: one half where `needs_finish`, else all.
 template <class I>
-concept Integrator =
-    Policy<I> && clauses::IntegratorOrder<I> && clauses::IntegratorNeedsFinish<I> &&
-    clauses::IntegratorAdvance<I> && clauses::IntegratorFinish<I>;
+concept Integrator = Policy<I> && clauses::IntegratorOrder<I> &&
+                     clauses::IntegratorNeedsFinish<I> && clauses::IntegratorAdvance<I> &&
+                     clauses::IntegratorFinish<I> && clauses::IntegratorFirstKick<I>;
 
 template <class I>
 consteval bool check_integrator() {
@@ -70,6 +78,8 @@ consteval bool check_integrator() {
   static_assert(
       clauses::IntegratorFinish<I>,
       "riprap: an Integrator must have void finish(Body&, const Wrench&, double time_step) const");
+  static_assert(clauses::IntegratorFirstKick<I>,
+                "riprap: an Integrator's first_kick must be double first_kick() const");
   return Integrator<I>;
 }
 

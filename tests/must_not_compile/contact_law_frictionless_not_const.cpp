@@ -1,0 +1,9 @@
+// riprap: frictionless() of a ContactLaw must be const and return such a law
+#include <riprap/simulation/model.hpp>
+using namespace riprap;
+
+struct Mine : LinearSpringCoulomb {
+  Mine frictionless() { return {}; }
+};
+
+const auto model = Model{}.contact(Mine{});
