@@ -12,6 +12,7 @@
 #include <riprap/geometry/overlap.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
 #include <riprap/geometry/random_polygon.hpp>
+#include <support/polygons.hpp>
 
 namespace riprap::test {
 
@@ -35,7 +36,8 @@ template <class Narrow>
           tip + Vec2{-std::cos(left), std::sin(left)}};
 }
 
-/// Pairs of sharp polygons of about unit size that overlap somewhere between barely and badly.
+/// Visits pairs of sharp polygons of about unit size that overlap somewhere between barely and
+/// badly.
 template <class Visit>
 void for_random_pairs(int count, Visit&& visit) {
   Random random(42);
@@ -48,6 +50,22 @@ void for_random_pairs(int count, Visit&& visit) {
     ++found;
     visit(a, moved);
   }
+}
+
+/// Visits such pairs with the contact by a narrow phase.
+template <class Narrow, class Visit>
+void for_random_contacts(int count, Visit&& visit) {
+  for_random_pairs(
+      count, [&](const auto& a, const auto& b) { visit(a, b, contact_of<Narrow>(a, b).value()); });
+}
+
+/// Overlap lost per shift of b along `direction`, by a central difference.
+[[nodiscard]] inline double area_slope(const ConvexPolygon& a, const ConvexPolygon& b,
+                                       const Vec2& direction) {
+  const double s = 1e-6;
+  return (overlap_area(a, shifted(b, -s * direction)) -
+          overlap_area(a, shifted(b, s * direction))) /
+         (2 * s);
 }
 
 /// How often two boundaries cross, edge by edge.
