@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -92,6 +93,26 @@ inline void check_same(const ContactGeometry& p, const ContactGeometry& q, doubl
   CHECK((p.point - q.point).norm() <= tolerance);
   // A normal is as uncertain as the ends of its chord over their distance.
   CHECK((p.normal - q.normal).norm() * q.chord <= 2 * tolerance);
+}
+
+/// A contact moves rigidly with its bodies, whichever of their vertices is called the first.
+template <class Narrow>
+void check_contacts_move_rigidly() {
+  const Rotation turn = Rotation::from_angle(0.77);
+  for (const Vec2& shift : {Vec2{0, 0}, Vec2{-3, 8}, Vec2{700, -600}}) {
+    // The last bits of coordinates over the distance.
+    const double tolerance = 1e-13 * std::max(1.0, shift.norm());
+    for_random_contacts<Narrow>(150, [&](const auto& a, const auto& b,
+                                         const ContactGeometry& contact) {
+      const auto moved =
+          contact_of<Narrow>(begun_at(a, 1).moved(turn, shift), begun_at(b, 2).moved(turn, shift));
+      REQUIRE(moved);
+      ContactGeometry back = *moved;
+      back.normal = turn.inverse_times(moved->normal);
+      back.point = turn.inverse_times(moved->point - shift);
+      check_same(back, contact, tolerance);
+    });
+  }
 }
 
 }  // namespace riprap::test

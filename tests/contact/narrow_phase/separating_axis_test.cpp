@@ -14,7 +14,6 @@
 
 using namespace riprap;
 using test::area_slope;
-using test::begun_at;
 using test::check_same;
 using test::crossings;
 using test::for_random_contacts;
@@ -179,21 +178,7 @@ TEST_CASE("swapping the bodies turns the normal round and changes no other bit")
 }
 
 TEST_CASE("a contact by separating axes moves rigidly with its bodies, whatever their numbers") {
-  const Rotation turn = Rotation::from_angle(0.77);
-  for (const Vec2& shift : {Vec2{0, 0}, Vec2{700, -600}}) {
-    // The last bits of coordinates over the distance.
-    const double tolerance = 1e-13 * std::max(1.0, shift.norm());
-    for_random_contacts<SeparatingAxis>(
-        150, [&](const auto& a, const auto& b, const ContactGeometry& contact) {
-          const auto moved =
-              contact_of(begun_at(a, 1).moved(turn, shift), begun_at(b, 2).moved(turn, shift));
-          REQUIRE(moved);
-          ContactGeometry back = *moved;
-          back.normal = turn.inverse_times(moved->normal);
-          back.point = turn.inverse_times(moved->point - shift);
-          check_same(back, contact, tolerance);
-        });
-  }
+  test::check_contacts_move_rigidly<SeparatingAxis>();
 }
 
 TEST_CASE("what a pair remembers never changes its contact by separating axes") {
