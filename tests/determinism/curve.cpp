@@ -7,6 +7,7 @@
 // which this program prints, once .ci/determinism prints the same one for both compilers. Any other
 // change that leads here is a mistake.
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -18,7 +19,7 @@ using namespace riprap;
 
 namespace {
 
-constexpr std::uint64_t expected = 0x4F29CA763EE03B0Cull;
+constexpr std::uint64_t expected = 0x2B40BB5D308EE28Full;
 
 // FNV-1a (Fowler, Noll and Vo) of 64 bits.
 std::uint64_t hash_of(const std::string& text) {
@@ -27,10 +28,10 @@ std::uint64_t hash_of(const std::string& text) {
   return hash;
 }
 
-Curve sheared(const auto& boundary, const Assembly& assembly, double pressure, double strain) {
+Curve sheared(const auto& boundary, const Assembly& assembly, double pressure) {
   Simulation sim{Model{}.boundary(boundary), assembly, Rock{}};
   Curve curve;
-  BiaxialTest{.confining_pressure = pressure, .axial_strain = strain}.run(sim, curve);
+  BiaxialTest{.confining_pressure = pressure, .axial_strain = 0.02}.run(sim, curve);
   return curve;
 }
 
@@ -45,17 +46,17 @@ int main(int argc, char** argv) {
   if (argc > 1) Eigen::setCpuCacheSizes(std::atoi(argv[1]) * kB, 1024 * kB, 16 * 1024 * kB);
 
   const Assembly many = random_assembly({.count = 150, .seed = 1});
-  const RandomAssembly few{.count = 60, .seed = 2};
-  const Curve ring = sheared(StrainField{}, many, 8e6, 0.02);
+  const RandomAssembly few{.count = 60, .seed = 3};
+  const Curve ring = sheared(StrainField{}, many, 8e6);
   // Few particles, so a higher pressure for some of them to break.
-  const Curve platens = sheared(RigidPlatens{}, random_platen_assembly(few), 16e6, 0.01);
-  const Curve cell = sheared(PeriodicCell{}, random_periodic_assembly(few), 16e6, 0.01);
+  const Curve platens = sheared(RigidPlatens{}, random_platen_assembly(few), 16e6);
+  const Curve cell = sheared(PeriodicCell{}, random_periodic_assembly(few), 16e6);
   const std::string text = tables(ring) + tables(platens) + tables(cell);
   const std::uint64_t hash = hash_of(text);
 
   std::fputs(text.c_str(), stdout);
   std::printf("hash 0x%016llX\n", static_cast<unsigned long long>(hash));
-  if (ring.breaks().size() < 3 || platens.breaks().empty() || cell.breaks().empty()) {
+  if (std::min({ring.breaks().size(), platens.breaks().size(), cell.breaks().size()}) < 2) {
     std::puts("too few particles broke for the hash to speak for breakage");
     return 1;
   }
