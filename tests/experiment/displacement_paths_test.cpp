@@ -91,3 +91,18 @@ TEST_CASE("breaks before the first record leave no path of the parent and no bra
     CHECK(!piece.branch);
   }
 }
+
+TEST_CASE("platens are no particles: they have no path") {
+  BrokenSample sample;
+  sample.add_platen();
+  DisplacementPaths paths;
+  paths.record(sample.view());
+  sample.move(2, {0, 0.007});
+  paths.record(sample.view());
+  CHECK(paths.paths().size() == 2);  // those of the two particles
+  // A piece gets an id after that of the platen, whose path stays without points.
+  paths.record_break(sample.view(), sample.split(0));
+  REQUIRE(paths.paths().size() == 5);
+  CHECK(paths.paths()[2].points.empty());
+  CHECK(!paths.paths()[3].points.empty());
+}

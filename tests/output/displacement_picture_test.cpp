@@ -141,6 +141,22 @@ TEST_CASE("the legend has a sample for each kind of path and the largest displac
   CHECK_NOTHROW(static_cast<void>(test::text_element(all, "5 mm")));
 }
 
+TEST_CASE("a platen has no path and no dot, and its way is not the largest displacement") {
+  BrokenSample sample;
+  sample.add_platen();
+  DisplacementPaths paths;
+  paths.record(sample.view());
+  sample.move(0, {0.002, 0});
+  sample.move(2, {0, 0.007});
+  paths.record(sample.view());
+  const auto all = test::svg_elements(
+      displacement_picture(sample.particles(), paths, "Displacement paths").document());
+  CHECK(test::named(all, "polyline").size() == 2);
+  // Those of the two particles, and two in the legend.
+  CHECK(test::named(all, "circle").size() == 4);
+  CHECK_NOTHROW(static_cast<void>(test::text_element(all, "2 mm")));
+}
+
 TEST_CASE("places left behind stay on the sheet, whatever the way") {
   for (const Vec2& way : {Vec2{0.1, 0}, Vec2{-0.1, 0}, Vec2{0, 0.1}, Vec2{0, -0.1}}) {
     BrokenSample sample;

@@ -47,6 +47,8 @@ TEST_CASE("between platens all particles are free, inside and apart, at the soli
     for (const ConvexPolygon& p : inside)
       CHECK_FALSE(overlap_in_area(assembly.particles[i].polygon, p));
   }
+  for (const ConvexPolygon& p : inside)
+    for (const Vec2& v : p) CHECK(v.cwiseAbs().maxCoeff() < half);
   CHECK(area_of(inside) / (4 * half * half) == near(options.solid_fraction, 1e-12));
   for (std::size_t i = 0; i < inside.size(); ++i)
     for (std::size_t j = i + 1; j < inside.size(); ++j)

@@ -20,6 +20,9 @@ class BrokenSample {
     particles_.add(rectangle({0.04, 0.005}, 0.01, 0.01), Motion::strain_field);
   }
 
+  /// Adds body 2, below the others.
+  void add_platen() { particles_.add(rectangle({0.02, -0.02}, 0.06, 0.01), Motion::platen); }
+
   [[nodiscard]] const Particles& particles() const { return particles_; }
   [[nodiscard]] BiaxialView<BrokenSample> view() const {
     return {.sim = *this, .stage = Stage::shear};

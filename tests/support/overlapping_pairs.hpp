@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -12,6 +13,7 @@
 #include <riprap/geometry/overlap.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
 #include <riprap/geometry/random_polygon.hpp>
+#include <support/polygons.hpp>
 
 namespace riprap::test {
 
@@ -35,7 +37,8 @@ template <class Narrow>
           tip + Vec2{-std::cos(left), std::sin(left)}};
 }
 
-/// Pairs of sharp polygons of about unit size that overlap somewhere between barely and badly.
+/// Visits pairs of sharp polygons of about unit size that overlap somewhere between barely and
+/// badly.
 template <class Visit>
 void for_random_pairs(int count, Visit&& visit) {
   Random random(42);
@@ -48,6 +51,22 @@ void for_random_pairs(int count, Visit&& visit) {
     ++found;
     visit(a, moved);
   }
+}
+
+/// Visits such pairs with the contact by a narrow phase.
+template <class Narrow, class Visit>
+void for_random_contacts(int count, Visit&& visit) {
+  for_random_pairs(
+      count, [&](const auto& a, const auto& b) { visit(a, b, contact_of<Narrow>(a, b).value()); });
+}
+
+/// Overlap lost per shift of b along `direction`, by a central difference.
+[[nodiscard]] inline double area_slope(const ConvexPolygon& a, const ConvexPolygon& b,
+                                       const Vec2& direction) {
+  const double s = 1e-6;
+  return (overlap_area(a, shifted(b, -s * direction)) -
+          overlap_area(a, shifted(b, s * direction))) /
+         (2 * s);
 }
 
 /// How often two boundaries cross, edge by edge.
@@ -74,6 +93,26 @@ inline void check_same(const ContactGeometry& p, const ContactGeometry& q, doubl
   CHECK((p.point - q.point).norm() <= tolerance);
   // A normal is as uncertain as the ends of its chord over their distance.
   CHECK((p.normal - q.normal).norm() * q.chord <= 2 * tolerance);
+}
+
+/// A contact moves rigidly with its bodies, whichever of their vertices is called the first.
+template <class Narrow>
+void check_contacts_move_rigidly() {
+  const Rotation turn = Rotation::from_angle(0.77);
+  for (const Vec2& shift : {Vec2{0, 0}, Vec2{-3, 8}, Vec2{700, -600}}) {
+    // The last bits of coordinates over the distance.
+    const double tolerance = 1e-13 * std::max(1.0, shift.norm());
+    for_random_contacts<Narrow>(150, [&](const auto& a, const auto& b,
+                                         const ContactGeometry& contact) {
+      const auto moved =
+          contact_of<Narrow>(begun_at(a, 1).moved(turn, shift), begun_at(b, 2).moved(turn, shift));
+      REQUIRE(moved);
+      ContactGeometry back = *moved;
+      back.normal = turn.inverse_times(moved->normal);
+      back.point = turn.inverse_times(moved->point - shift);
+      check_same(back, contact, tolerance);
+    });
+  }
 }
 
 }  // namespace riprap::test

@@ -12,7 +12,8 @@
 namespace riprap {
 
 /// An observer of BiaxialTest that keeps the centroid of every particle at each record and break.
-/// Memory grows with records times particles, not with steps.
+/// Platens are no particles: they have no path. Memory grows with records times particles, not with
+/// steps.
 class DisplacementPaths {
  public:
   struct Path {
@@ -21,15 +22,16 @@ class DisplacementPaths {
     std::optional<Vec2> branch;  ///< of a piece: where the path of its parent ended
   };
 
-  /// By particle id, broken particles included; without points for those that broke before the
-  /// first record.
+  /// By particle id, broken particles included; without points for platens and for those that broke
+  /// before the first record.
   [[nodiscard]] const std::vector<Path>& paths() const { return paths_; }
 
   template <class Sim>
   void record(const BiaxialView<Sim>& view) {
     const Particles& particles = view.sim.particles();
     for (BodyIndex i = 0; i < particles.size(); ++i)
-      path(particles.ancestry(i)).points.push_back(particles.body(i).position);
+      if (particles.body(i).motion != Motion::platen)
+        path(particles.ancestry(i)).points.push_back(particles.body(i).position);
   }
 
   template <class Sim>

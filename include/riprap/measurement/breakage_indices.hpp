@@ -1,8 +1,7 @@
 #pragma once
 /// @file
 /// How much finer a sample has become: the indices of Marsal, Hardin, Lade and Einav. All are
-/// shares
-/// [-], zero where nothing broke.
+/// shares [-], zero where nothing broke.
 
 #include <algorithm>
 #include <cmath>

@@ -25,9 +25,8 @@ namespace riprap {
   return pressure * thickness / normal_stiffness;
 }
 
-/// Time step over sqrt(m / k) of the lightest free body, as heavy as it is in the equations of
-/// motion
-/// [-].
+/// Time step over sqrt(m / k) of the lightest free body [-], with the mass that it has in the
+/// equations of motion.
 [[nodiscard]] inline double time_step_ratio(double time_step, const Particles& particles,
                                             double stiffness) {
   double lightest = std::numeric_limits<double>::infinity();

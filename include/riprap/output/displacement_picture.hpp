@@ -87,8 +87,9 @@ inline void displacement_legend(Svg& svg, const Vec2& corner, double largest) {
       svg.polyline(view(path.points), internal::path_style(path.particle));
     }
   for (BodyIndex i = 0; i < particles.size(); ++i)
-    svg.circle(view(particles.body(i).position), internal::path_dot,
-               internal::dot_style(particles.ancestry(i)));
+    if (particles.body(i).motion != Motion::platen)
+      svg.circle(view(particles.body(i).position), internal::path_dot,
+                 internal::dot_style(particles.ancestry(i)));
   view.annotate(svg, title);
   internal::displacement_legend(svg, {view.legend_left() + 14, 70},
                                 internal::largest_displacement(record));

@@ -54,8 +54,6 @@ class VtpFile {
     values_ += array(name, type, std::is_arithmetic_v<Type> ? 1 : 3, text);
   }
 
-  [[nodiscard]] std::size_t cells() const { return cell_count_; }
-
   [[nodiscard]] std::string document() const {
     const std::string element = kind_ == VtpCells::polygons ? "Polys" : "Lines";
     return "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"

@@ -20,7 +20,9 @@ namespace riprap {
 
 /// What a random assembly is made of.
 struct RandomAssembly {
-  unsigned count = 500;          ///< particles, those of the boundary included
+  /// Particles. Those of the ring are among them (random_assembly); platens come on top
+  /// (random_platen_assembly); a periodic cell has no others (random_periodic_assembly).
+  unsigned count = 500;
   double mean_diameter = 0.016;  ///< of the circle of equal area [m]
   double thickness = 0.016;      ///< [m]; keep it near the diameter, see docs/choices.md
   std::uint64_t seed = 1;

@@ -7,7 +7,7 @@
 
 #include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/core/units.hpp>
-#include <support/criterion_properties.hpp>
+#include <riprap/laws/criterion.hpp>
 #include <support/message_of.hpp>
 #include <support/near.hpp>
 
@@ -60,9 +60,10 @@ TEST_CASE("the default Mohr-Coulomb rock has the strengths and the angle of Tabl
 }
 
 TEST_CASE("Mohr-Coulomb lines rise at least as fast as sigma_3") {
-  test::check_criterion_properties(MohrCoulomb{});
-  test::check_criterion_properties(
-      MohrCoulomb{.cohesion = 1_MPa, .angle = 5_deg, .tension = 2_MPa});
+  CHECK(to_text(criterion_violations(MohrCoulomb{}, 300_MPa)) == "");
+  const MohrCoulomb soft{.cohesion = 1_MPa, .angle = 5_deg, .tension = 2_MPa};
+  // 2 c tan(45 deg + phi / 2)
+  CHECK(to_text(criterion_violations(soft, 2_MPa * std::tan(47.5_deg))) == "");
 }
 
 TEST_CASE("Mohr-Coulomb parameters that break a rule are named") {

@@ -14,29 +14,20 @@
 #include <support/rectangle.hpp>
 
 using namespace riprap;
-using test::begun_at;
+using test::area_slope;
 using test::check_same;
 using test::crossings;
+using test::for_random_contacts;
 using test::mirrored;
 using test::near;
 using test::near_relative;
-using test::overlap_area;
 using test::rectangle;
 using test::shifted;
 using test::tip_down;
 
 namespace {
 
-std::optional<ContactGeometry> contact_of(const ConvexPolygon& a, const ConvexPolygon& b) {
-  return test::contact_of<OverlapChord>(a, b);
-}
-
-/// Visits the contacts of random pairs too.
-template <class Visit>
-void for_random_pairs(int count, Visit&& visit) {
-  test::for_random_pairs(
-      count, [&](const auto& a, const auto& b) { visit(a, b, contact_of(a, b).value()); });
-}
+constexpr auto contact_of = test::contact_of<OverlapChord>;
 
 }  // namespace
 
@@ -188,80 +179,63 @@ TEST_CASE("parting two bodies along the normal takes chord times way off their o
   // dA/ds = -chord along the normal and 0 along the tangent wherever two boundaries cross twice:
   // the normal points where the overlap shrinks fastest, from a to b.
   int checked = 0;
-  for_random_pairs(400, [&](const auto& a, const auto& b, const ContactGeometry& contact) {
-    if (crossings(a, b) != 2) return;
-    ++checked;
-    const double s = 1e-6;
-    const auto slope = [&](const Vec2& direction) {
-      return (overlap_area(a, shifted(b, s * direction)) -
-              overlap_area(a, shifted(b, -s * direction))) /
-             (2 * s);
-    };
-    // Areas end in digits of 1e-16, over 2e-6; they are quadratic in the shift unless a vertex
-    // crosses a face meanwhile, which adds at most the shift.
-    CHECK(std::abs(slope(contact.normal) + contact.chord) <= 3e-6);
-    CHECK(std::abs(slope(contact.tangent())) <= 3e-6);
-  });
+  for_random_contacts<OverlapChord>(
+      400, [&](const auto& a, const auto& b, const ContactGeometry& contact) {
+        if (crossings(a, b) != 2) return;
+        ++checked;
+        // Areas end in digits of 1e-16, over 2e-6; they are quadratic in the shift unless a vertex
+        // crosses a face meanwhile, which adds at most the shift.
+        CHECK(std::abs(area_slope(a, b, contact.normal) - contact.chord) <= 3e-6);
+        CHECK(std::abs(area_slope(a, b, contact.tangent())) <= 3e-6);
+      });
   CHECK(checked > 200);
 }
 
 TEST_CASE("a contact without a chord is undone by shifting the second body by the depth") {
   int checked = 0;
-  for_random_pairs(1000, [&](const auto& a, const auto& b, const ContactGeometry& contact) {
-    if (crossings(a, b) == 2) return;
-    ++checked;
-    const auto apart = [&](double share) {
-      return !contact_of(a, shifted(b, share * contact.depth * contact.normal));
-    };
-    CHECK(apart(1 + 1e-9));
-    CHECK(!apart(1 - 1e-6));
-    // No other direction does with less.
-    for (int i = 0; i < 36; ++i) {
-      const Vec2 other = Rotation::from_angle(i * std::numbers::pi / 18) * Vec2{1, 0};
-      CHECK(contact_of(a, shifted(b, (1 - 1e-6) * contact.depth * other)));
-    }
-  });
+  for_random_contacts<OverlapChord>(
+      1000, [&](const auto& a, const auto& b, const ContactGeometry& contact) {
+        if (crossings(a, b) == 2) return;
+        ++checked;
+        const auto apart = [&](double share) {
+          return !contact_of(a, shifted(b, share * contact.depth * contact.normal));
+        };
+        CHECK(apart(1 + 1e-9));
+        CHECK(!apart(1 - 1e-6));
+        // No other direction does with less.
+        for (int i = 0; i < 36; ++i) {
+          const Vec2 other = Rotation::from_angle(i * std::numbers::pi / 18) * Vec2{1, 0};
+          CHECK(contact_of(a, shifted(b, (1 - 1e-6) * contact.depth * other)));
+        }
+      });
   CHECK(checked > 50);
 }
 
 TEST_CASE("swapping the bodies turns the normal round and changes nothing else") {
-  for_random_pairs(500, [](const auto& a, const auto& b, const ContactGeometry& contact) {
-    const auto swapped = contact_of(b, a);
-    REQUIRE(swapped);
-    ContactGeometry back = *swapped;
-    back.normal = -back.normal;
-    check_same(back, contact, 1e-13);
-  });
+  for_random_contacts<OverlapChord>(
+      500, [](const auto& a, const auto& b, const ContactGeometry& contact) {
+        const auto swapped = contact_of(b, a);
+        REQUIRE(swapped);
+        ContactGeometry back = *swapped;
+        back.normal = -back.normal;
+        check_same(back, contact, 1e-13);
+      });
 }
 
-TEST_CASE("a contact moves rigidly with its bodies, also far from the origin") {
-  const Rotation turn = Rotation::from_angle(0.77);
-  for (const Vec2& shift : {Vec2{0, 0}, Vec2{-3, 8}, Vec2{700, -600}}) {
-    // The last bits of coordinates over the distance.
-    const double tolerance = 1e-13 * std::max(1.0, shift.norm());
-    for_random_pairs(150, [&](const auto& a, const auto& b, const ContactGeometry& contact) {
-      const auto moved = contact_of(a.moved(turn, shift), b.moved(turn, shift));
-      REQUIRE(moved);
-      ContactGeometry back = *moved;
-      back.normal = turn.inverse_times(moved->normal);
-      back.point = turn.inverse_times(moved->point - shift);
-      check_same(back, contact, tolerance);
-    });
-  }
+TEST_CASE("a contact moves rigidly with its bodies, far from the origin too") {
+  test::check_contacts_move_rigidly<OverlapChord>();
 }
 
-TEST_CASE("a mirrored pair has the mirrored contact, and vertex numbers do not matter") {
-  for_random_pairs(200, [](const auto& a, const auto& b, const ContactGeometry& contact) {
-    const auto image = contact_of(mirrored(a), mirrored(b));
-    REQUIRE(image);
-    ContactGeometry back = *image;
-    back.normal.x() = -back.normal.x();
-    back.point.x() = -back.point.x();
-    check_same(back, contact, 1e-13);
-    const auto again = contact_of(begun_at(a, 1), begun_at(b, 2));
-    REQUIRE(again);
-    check_same(*again, contact, 1e-13);
-  });
+TEST_CASE("a mirrored pair has the mirrored contact") {
+  for_random_contacts<OverlapChord>(
+      200, [](const auto& a, const auto& b, const ContactGeometry& contact) {
+        const auto image = contact_of(mirrored(a), mirrored(b));
+        REQUIRE(image);
+        ContactGeometry back = *image;
+        back.normal.x() = -back.normal.x();
+        back.point.x() = -back.point.x();
+        check_same(back, contact, 1e-13);
+      });
 }
 
 TEST_CASE("grains of dust and planets have the same contact, scaled to the last bit") {
@@ -272,15 +246,16 @@ TEST_CASE("grains of dust and planets have the same contact, scaled to the last 
       for (const Vec2& v : polygon) vertices.push_back(scale * v);
       return ConvexPolygon(vertices);
     };
-    for_random_pairs(100, [&](const auto& a, const auto& b, const ContactGeometry& contact) {
-      const auto large = contact_of(scaled(a), scaled(b));
-      REQUIRE(large);
-      CHECK(large->depth == scale * contact.depth);
-      CHECK(large->chord == scale * contact.chord);
-      CHECK(large->area == scale * scale * contact.area);
-      CHECK(large->point == scale * contact.point);
-      CHECK(large->normal == contact.normal);
-    });
+    for_random_contacts<OverlapChord>(
+        100, [&](const auto& a, const auto& b, const ContactGeometry& contact) {
+          const auto large = contact_of(scaled(a), scaled(b));
+          REQUIRE(large);
+          CHECK(large->depth == scale * contact.depth);
+          CHECK(large->chord == scale * contact.chord);
+          CHECK(large->area == scale * scale * contact.area);
+          CHECK(large->point == scale * contact.point);
+          CHECK(large->normal == contact.normal);
+        });
   }
 }
 

@@ -13,38 +13,22 @@
 #include <support/rectangle.hpp>
 
 using namespace riprap;
-using test::begun_at;
+using test::area_slope;
 using test::check_same;
 using test::crossings;
+using test::for_random_contacts;
 using test::near;
 using test::near_relative;
-using test::overlap_area;
 using test::pi;
 using test::rectangle;
 using test::shifted;
 
 namespace {
 
-std::optional<ContactGeometry> contact_of(const ConvexPolygon& a, const ConvexPolygon& b) {
-  return test::contact_of<SeparatingAxis>(a, b);
-}
-
-template <class Visit>
-void for_random_pairs(int count, Visit&& visit) {
-  test::for_random_pairs(
-      count, [&](const auto& a, const auto& b) { visit(a, b, contact_of(a, b).value()); });
-}
+constexpr auto contact_of = test::contact_of<SeparatingAxis>;
 
 bool same_bits(const ContactGeometry& p, const ContactGeometry& q) {
   return std::memcmp(&p, &q, sizeof p) == 0;
-}
-
-/// Overlap lost per shift of b along `direction`, by a central difference.
-double area_slope(const ConvexPolygon& a, const ConvexPolygon& b, const Vec2& direction) {
-  const double s = 1e-6;
-  return (overlap_area(a, shifted(b, -s * direction)) -
-          overlap_area(a, shifted(b, s * direction))) /
-         (2 * s);
 }
 
 }  // namespace
@@ -115,29 +99,31 @@ TEST_CASE("bodies that keep apart or only touch have no contact by separating ax
 }
 
 TEST_CASE("shifting the second body by the depth parts the two, and no shorter way does") {
-  for_random_pairs(300, [](const auto& a, const auto& b, const ContactGeometry& contact) {
-    const auto apart = [&](const Vec2& shift) { return !contact_of(a, shifted(b, shift)); };
-    CHECK(apart((1 + 1e-9) * contact.depth * contact.normal));
-    for (int degrees = 0; degrees < 360; degrees += 5) {
-      const Vec2 direction = Rotation::from_angle(degrees * pi / 180) * Vec2{1, 0};
-      CHECK(!apart((1 - 1e-6) * contact.depth * direction));
-    }
-  });
+  for_random_contacts<SeparatingAxis>(
+      300, [](const auto& a, const auto& b, const ContactGeometry& contact) {
+        const auto apart = [&](const Vec2& shift) { return !contact_of(a, shifted(b, shift)); };
+        CHECK(apart((1 + 1e-9) * contact.depth * contact.normal));
+        for (int degrees = 0; degrees < 360; degrees += 5) {
+          const Vec2 direction = Rotation::from_angle(degrees * pi / 180) * Vec2{1, 0};
+          CHECK(!apart((1 - 1e-6) * contact.depth * direction));
+        }
+      });
 }
 
 TEST_CASE("the chord is the rate at which the overlap changes along the normal") {
   // So that area_stiffness * area * chord is the slope of area_stiffness * area^2 / 2.
   int chords = 0;
   int gained = 0;
-  for_random_pairs(1000, [&](const auto& a, const auto& b, const ContactGeometry& contact) {
-    if (crossings(a, b) != 2) return;
-    ++chords;
-    const double slope = area_slope(a, b, contact.normal);
-    // Areas end in digits of 1e-16, over 2e-6; they are quadratic in the shift unless a vertex
-    // crosses a face meanwhile, which adds at most the shift.
-    CHECK(std::abs(std::abs(slope) - contact.chord) <= 3e-6);
-    gained += slope < 0;
-  });
+  for_random_contacts<SeparatingAxis>(
+      1000, [&](const auto& a, const auto& b, const ContactGeometry& contact) {
+        if (crossings(a, b) != 2) return;
+        ++chords;
+        const double slope = area_slope(a, b, contact.normal);
+        // Areas end in digits of 1e-16, over 2e-6; they are quadratic in the shift unless a vertex
+        // crosses a face meanwhile, which adds at most the shift.
+        CHECK(std::abs(std::abs(slope) - contact.chord) <= 3e-6);
+        gained += slope < 0;
+      });
   CHECK(chords > 500);
   // Only bodies most of the way through each other overlap more when they begin to part.
   CHECK(gained < 0.01 * chords);
@@ -148,20 +134,21 @@ TEST_CASE("the depth lies between the overlap's least width and twice its area o
   // of the area is concave along any shift, and along the normal of OverlapChord the area falls by
   // its chord, so that a shift by 2 area / chord parts the two.
   int chords = 0;
-  for_random_pairs(2000, [&](const auto& a, const auto& b, const ContactGeometry& contact) {
-    const double round_off = 1 + 1e-12;
-    const OverlapPolygon common = overlap(a.ring(), b.ring(), a[0], 1e-10);
-    CHECK(least_width(common.ring()) <= contact.depth * round_off);
-    const ContactGeometry line = test::contact_of<OverlapChord>(a, b).value();
-    // Clipped from either of the two: digits of 1e-16 all along a rim of a few metres.
-    CHECK(contact.area == near(line.area, 1e-15));
-    if (crossings(a, b) == 2) {
-      ++chords;
-      CHECK(contact.depth <= 2 * line.area / line.chord * round_off);
-    } else {
-      check_same(contact, line, 1e-14);
-    }
-  });
+  for_random_contacts<SeparatingAxis>(
+      2000, [&](const auto& a, const auto& b, const ContactGeometry& contact) {
+        const double round_off = 1 + 1e-12;
+        const OverlapPolygon common = overlap(a.ring(), b.ring(), a[0], 1e-10);
+        CHECK(least_width(common.ring()) <= contact.depth * round_off);
+        const ContactGeometry line = test::contact_of<OverlapChord>(a, b).value();
+        // Clipped from either of the two: digits of 1e-16 all along a rim of a few metres.
+        CHECK(contact.area == near(line.area, 1e-15));
+        if (crossings(a, b) == 2) {
+          ++chords;
+          CHECK(contact.depth <= 2 * line.area / line.chord * round_off);
+        } else {
+          check_same(contact, line, 1e-14);
+        }
+      });
   CHECK(chords > 1000);
   CHECK(chords < 1950);
 }
@@ -191,30 +178,18 @@ TEST_CASE("swapping the bodies turns the normal round and changes no other bit")
 }
 
 TEST_CASE("a contact by separating axes moves rigidly with its bodies, whatever their numbers") {
-  const Rotation turn = Rotation::from_angle(0.77);
-  for (const Vec2& shift : {Vec2{0, 0}, Vec2{700, -600}}) {
-    // The last bits of coordinates over the distance.
-    const double tolerance = 1e-13 * std::max(1.0, shift.norm());
-    for_random_pairs(150, [&](const auto& a, const auto& b, const ContactGeometry& contact) {
-      const auto moved =
-          contact_of(begun_at(a, 1).moved(turn, shift), begun_at(b, 2).moved(turn, shift));
-      REQUIRE(moved);
-      ContactGeometry back = *moved;
-      back.normal = turn.inverse_times(moved->normal);
-      back.point = turn.inverse_times(moved->point - shift);
-      check_same(back, contact, tolerance);
-    });
-  }
+  test::check_contacts_move_rigidly<SeparatingAxis>();
 }
 
 TEST_CASE("what a pair remembers never changes its contact by separating axes") {
-  for_random_pairs(100, [](const auto& a, const auto& b, const ContactGeometry& contact) {
-    for (const bool of_b : {false, true})
-      for (const unsigned edge : {0u, 1u, 2u, 7u, 255u}) {
-        SeparatingAxis::Memory memory{of_b, static_cast<std::uint8_t>(edge)};
-        const auto again = SeparatingAxis{}(a.ring(), b.ring(), memory);
-        REQUIRE(again);
-        CHECK(same_bits(*again, contact));
-      }
-  });
+  for_random_contacts<SeparatingAxis>(
+      100, [](const auto& a, const auto& b, const ContactGeometry& contact) {
+        for (const bool of_b : {false, true})
+          for (const unsigned edge : {0u, 1u, 2u, 7u, 255u}) {
+            SeparatingAxis::Memory memory{of_b, static_cast<std::uint8_t>(edge)};
+            const auto again = SeparatingAxis{}(a.ring(), b.ring(), memory);
+            REQUIRE(again);
+            CHECK(same_bits(*again, contact));
+          }
+      });
 }
