@@ -146,7 +146,7 @@ TEST_CASE("a platen has no path and no dot, and its way is not the largest displ
   sample.add_platen();
   DisplacementPaths paths;
   paths.record(sample.view());
-  sample.move(0, {0.002, 0});
+  sample.move(0, {0.003, 0});
   sample.move(2, {0, 0.007});
   paths.record(sample.view());
   const auto all = test::svg_elements(
@@ -154,7 +154,7 @@ TEST_CASE("a platen has no path and no dot, and its way is not the largest displ
   CHECK(test::named(all, "polyline").size() == 2);
   // Those of the two particles, and two in the legend.
   CHECK(test::named(all, "circle").size() == 4);
-  CHECK_NOTHROW(static_cast<void>(test::text_element(all, "2 mm")));
+  CHECK_NOTHROW(static_cast<void>(test::text_element(all, "3 mm")));
 }
 
 TEST_CASE("places left behind stay on the sheet, whatever the way") {
