@@ -60,4 +60,10 @@ struct Stress2 {
   }
 };
 
+/// Symmetric part of the product u v of two vectors: what a force on an arm adds to area times
+/// thickness times stress.
+[[nodiscard]] inline Stress2 symmetric_product(const Vec2& u, const Vec2& v) {
+  return {u.x() * v.x(), u.y() * v.y(), 0.5 * (u.x() * v.y() + u.y() * v.x())};
+}
+
 }  // namespace riprap

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -18,6 +17,7 @@
 #include <riprap/experiment/biaxial_result.hpp>
 #include <riprap/experiment/pressure_servo.hpp>
 #include <riprap/experiment/stage.hpp>
+#include <riprap/geometry/polygon_properties.hpp>
 #include <riprap/measurement/average_stress.hpp>
 #include <riprap/measurement/dimensionless.hpp>
 #include <riprap/measurement/energy.hpp>
@@ -44,7 +44,7 @@ class BiaxialRun {
   BiaxialRun(const Test& test, Sim& sim, std::remove_reference_t<Observers>&... observers)
       : test_(test), sim_(sim), observers_(observers...),
         view_{.sim = sim, .confining_pressure = test.confining_pressure} {
-    view_.mean_diameter = std::sqrt(4 * sim.mean_area() / std::numbers::pi);
+    view_.mean_diameter = equivalent_diameter(sim.mean_area());
   }
 
   BiaxialResult run() {

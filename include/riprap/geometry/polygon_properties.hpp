@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <riprap/core/vec2.hpp>
 
@@ -16,6 +17,11 @@ struct AreaProperties {
   Vec2 centroid{0, 0};
   double polar_moment = 0;
 };
+
+/// Diameter of the circle of equal area [m].
+[[nodiscard]] inline double equivalent_diameter(double area) {
+  return std::sqrt(4 * area / std::numbers::pi);
+}
 
 /// Exact for any simple counter-clockwise ring. Computed relative to the first vertex, so that
 /// digits survive far from the origin.

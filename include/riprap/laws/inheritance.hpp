@@ -54,17 +54,25 @@ struct Birth {
   return birth;
 }
 
+/// A hundred births, each as it was before the pieces had their motion and with it.
+template <Inheritance I, class Visit>
+void visit_births(const I& inherit, Visit&& visit) {
+  Random random(1);
+  for (int i = 0; i < 100; ++i) {
+    const Birth before = random_birth(random);
+    Birth birth = before;
+    birth.inherit(inherit);
+    visit(before, birth);
+  }
+}
+
 }  // namespace internal
 
 /// Which axioms an inheritance breaks.
 template <Inheritance I>
 [[nodiscard]] Violations inheritance_violations(const I& inherit) {
   AxiomCheck check;
-  Random random(1);
-  for (int i = 0; i < 100; ++i) {
-    const internal::Birth before = internal::random_birth(random);
-    internal::Birth birth = before;
-    birth.inherit(inherit);
+  internal::visit_births(inherit, [&](const internal::Birth& before, const internal::Birth& birth) {
     check.at_most("pieces have no more kinetic energy than their parent: gain [J]",
                   birth.gain([](const Body& b) { return b.kinetic_energy(); }),
                   1e-12 * birth.parent.kinetic_energy());
@@ -75,7 +83,7 @@ template <Inheritance I>
       check.equal("a piece keeps its inertia", birth.pieces[k].inertia, before.pieces[k].inertia,
                   0);
     }
-  }
+  });
   return std::move(check).violations();
 }
 
@@ -84,11 +92,7 @@ template <Inheritance I>
 template <Inheritance I>
 [[nodiscard]] Violations inheritance_momentum_violations(const I& inherit) {
   AxiomCheck check;
-  Random random(1);
-  for (int i = 0; i < 100; ++i) {
-    const internal::Birth before = internal::random_birth(random);
-    internal::Birth birth = before;
-    birth.inherit(inherit);
+  internal::visit_births(inherit, [&](const internal::Birth& before, const internal::Birth& birth) {
     // Round-off of 8 kg at 5 m and 5 m/s.
     check.equal("the momentum of the pieces is the parent's: difference [N s]",
                 birth.gain([](const Body& b) -> Vec2 { return b.mass * b.velocity; }).norm(), 0,
@@ -105,7 +109,7 @@ template <Inheritance I>
       check.equal("a velocity added to the parent is added to the pieces",
                   (faster.pieces[k].velocity - birth.pieces[k].velocity - Vec2{7, -4}).norm(), 0,
                   1e-13);
-  }
+  });
   return std::move(check).violations();
 }
 

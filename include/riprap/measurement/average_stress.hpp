@@ -18,11 +18,8 @@ namespace riprap {
 template <class Contacts>
 [[nodiscard]] Stress2 average_stress(const Contacts& contacts, double area, double thickness) {
   Stress2 sum;
-  contacts.for_each_touching([&sum](const auto& c) {
-    const Vec2 f = c.force_on_b();
-    const Vec2 l = c.branch();
-    sum += {f.x() * l.x(), f.y() * l.y(), 0.5 * (f.x() * l.y() + f.y() * l.x())};
-  });
+  contacts.for_each_touching(
+      [&sum](const auto& c) { sum += symmetric_product(c.force_on_b(), c.branch()); });
   return (1 / (area * thickness)) * sum;
 }
 
@@ -56,9 +53,7 @@ template <class Contacts>
   contacts.for_each_touching([&](const auto& c) {
     const double share =
         region.share_inside(c.geometry.point - c.arm_a, c.geometry.point - c.arm_b);
-    const Vec2 f = c.force_on_b();
-    const Vec2 l = share * c.branch();
-    sum += {f.x() * l.x(), f.y() * l.y(), 0.5 * (f.x() * l.y() + f.y() * l.x())};
+    sum += symmetric_product(c.force_on_b(), share * c.branch());
   });
   return (1 / (region.area() * thickness)) * sum;
 }

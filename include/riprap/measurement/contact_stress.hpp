@@ -19,7 +19,7 @@ template <class Contacts>
   std::vector<Stress2> out(particles.size());
   const auto add = [&](BodyIndex i, const Vec2& x, const Vec2& f) {
     const double scale = -1 / (particles.shape(i).area * particles.thickness());
-    out[i] += scale * Stress2{x.x() * f.x(), x.y() * f.y(), 0.5 * (x.x() * f.y() + x.y() * f.x())};
+    out[i] += scale * symmetric_product(x, f);
   };
   contacts.for_each_touching([&](const auto& c) {
     add(c.a, c.arm_a, -c.force_on_b());

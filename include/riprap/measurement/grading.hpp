@@ -6,12 +6,12 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include <riprap/core/errors.hpp>
+#include <riprap/geometry/polygon_properties.hpp>
 #include <riprap/particle/particles.hpp>
 
 namespace riprap {
@@ -125,14 +125,10 @@ class Grading {
   std::vector<GradingPoint> points_;
 };
 
-/// Diameter of the circle of equal area [m]. A sieve sees the least width, which stays as it was
-/// when a particle breaks across its length; this size shows every break.
-[[nodiscard]] inline double equivalent_diameter(double area) {
-  return std::sqrt(4 * area / std::numbers::pi);
-}
-
 /// Of the free particles, by the diameter of the circle of equal area; boundary particles do not
-/// break and are left out. All rock has one density and thickness, so area stands for mass.
+/// break and are left out. A sieve sees the least width, which stays as it was when a particle
+/// breaks across its length; this size shows every break. All rock has one density and thickness,
+/// so area stands for mass.
 [[nodiscard]] inline Grading grading(const Particles& particles) {
   std::vector<SizeFraction> fractions;
   for (BodyIndex i = 0; i < particles.size(); ++i) {

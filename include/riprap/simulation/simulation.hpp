@@ -193,16 +193,18 @@ class Simulation {
 
   // Forces of the present poses move the bodies to the next ones.
   void advance_bodies() {
-    work_.boundary += body_step().first_kick_time() * contacts_.image_power();
-    body_step().advance(particles_);
+    const auto step = body_step();
+    work_.boundary += step.first_kick_time() * contacts_.image_power();
+    step.advance(particles_);
     time_ += time_step_;
   }
 
   // The second kick, for integrators that have one.
   void finish_bodies() {
     if constexpr (decltype(body_step())::needs_finish) {
-      work_.boundary += body_step().second_kick_time() * contacts_.image_power();
-      body_step().finish(particles_);
+      const auto step = body_step();
+      work_.boundary += step.second_kick_time() * contacts_.image_power();
+      step.finish(particles_);
     }
   }
 
