@@ -82,21 +82,47 @@ TEST_CASE("a body that would meet its own image is an error that names it") {
       "particle 0 meets its own image: the periodic cell is too small", SimulationError);
 }
 
+namespace {
+
+using PairOfTwo = NeighbourSearch<AllPairs, PeriodicPlane>;
+
+// A tenth of the mean diameter of 0.1 as skin: 0.01.
+PairOfTwo searched(const Particles& particles, const PeriodicPlane& plane) {
+  PairOfTwo search{AllPairs{.relative_skin = 0.1}};
+  search.visit_pairs(particles, plane, [](auto, auto, auto) {});
+  return search;
+}
+
+}  // namespace
+
 TEST_CASE("the shrinking of the cell makes the pairs stale before any can be missing") {
   Particles particles(1, 1);
   particles.add(diamond({0, 0}, 0.05), Motion::free);
   particles.add(diamond({0.4, 0}, 0.05), Motion::free);
-  NeighbourSearch<AllPairs, PeriodicPlane> search{AllPairs{.relative_skin = 0.1}};
   PeriodicPlane plane{.period = {1, 1}};
-  search.visit_pairs(particles, plane, [](auto, auto, auto) {});
+  PairOfTwo search = searched(particles, plane);
   CHECK_FALSE(search.stale(particles, plane));
-  // The skin is a tenth of the mean diameter, 0.01. An image at rest may come nearer by that.
+  // An image at rest may come nearer by the skin.
   plane.period = {0.995, 1};
   CHECK_FALSE(search.stale(particles, plane));
-  plane.period = {0.985, 1};
+  SUBCASE("of itself") {
+    plane.period = {0.985, 1};
+    CHECK(search.stale(particles, plane));
+  }
+  SUBCASE("together with what the bodies have used up") {
+    particles.body(0).position.x() -= 0.0031;
+    CHECK(search.stale(particles, plane));
+  }
+}
+
+TEST_CASE("pairs are stale when bodies have come or when one asks for it") {
+  Particles particles = scattered(5, 1, 0.05, 1);
+  const PeriodicPlane plane{.period = {3, 3}};
+  PairOfTwo search = searched(particles, plane);
+  CHECK_FALSE(search.stale(particles, plane));
+  search.invalidate();
   CHECK(search.stale(particles, plane));
-  // What the bodies have used up is missing for the cell.
-  plane.period = {0.995, 1};
-  particles.body(0).position.x() -= 0.0031;
+  search = searched(particles, plane);
+  particles.add(diamond({0, 0}, 0.05), Motion::free);
   CHECK(search.stale(particles, plane));
 }

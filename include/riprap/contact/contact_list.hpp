@@ -3,9 +3,12 @@
 /// All pairs near each other, their contacts and the forces in them, kept from step to step.
 
 #include <algorithm>
+#include <compare>
+#include <cstdint>
+#include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -70,8 +73,7 @@ class ContactList {
   /// Calls `visit(contact)` for every pair that touches, in order.
   template <class Visit>
   void for_each_touching(Visit&& visit) const {
-    for (const ContactType& contact : pairs_)
-      if (contact.touching) visit(contact);
+    for (const std::uint32_t k : touching_) visit(pairs_[k]);
   }
 
   /// Velocity of b's image relative to a at their contact [m/s].
@@ -101,20 +103,24 @@ class ContactList {
   /// @param time_step [s] of the motion that led here; zero to re-evaluate without motion
   void update(Particles& particles, double time_step) {
     if (neighbours_.stale(particles, plane_)) rebuild(particles);
-    for (Body& body : particles.bodies()) body.contact = Wrench{};
-    for (ContactType& contact : pairs_) evaluate(contact, particles, time_step);
+    find_contacts(particles);
+    find_forces(particles, time_step);
   }
 
   /// Has the pairs found anew at the next update, whatever has moved.
-  void invalidate() { neighbours_.invalidate(); }
+  void invalidate() {
+    neighbours_.invalidate();
+    std::fill(apart_until_.begin(), apart_until_.end(), unknown);
+  }
 
   /// After the particle at `parent` has broken: the piece there now keeps the contacts, but those
   /// with `of_second(point)` go to the piece at `second`, histories and all. Call update
   /// afterwards.
   template <class OfSecond>
   void divide(BodyIndex parent, BodyIndex second, OfSecond&& of_second) {
-    for (ContactType& contact : pairs_) {
-      if (!contact.touching || (contact.a != parent && contact.b != parent)) continue;
+    for (const std::uint32_t k : touching_) {
+      ContactType& contact = pairs_[k];
+      if (contact.a != parent && contact.b != parent) continue;
       if (!of_second(contact.a == parent ? contact.geometry.point : point_at_b(contact))) continue;
       if (contact.a == parent) {
         // The new piece has the highest index: it becomes b. Tangential forces keep their sign, for
@@ -130,6 +136,8 @@ class ContactList {
   }
 
  private:
+  static constexpr double unknown = -std::numeric_limits<double>::infinity();
+
   [[nodiscard]] Vec2 image_offset(const ContactType& contact) const {
     if constexpr (Plane::periodic)
       return plane_.offset(contact.image);
@@ -141,25 +149,68 @@ class ContactList {
     return contact.geometry.point - image_offset(contact);
   }
 
+  // Who is near whom; a is below b.
+  struct Key {
+    BodyIndex a = 0;
+    BodyIndex b = 0;
+    [[no_unique_address]] Image image{};
+    friend auto operator<=>(const Key&, const Key&) = default;
+  };
+  [[nodiscard]] static Key key(const ContactType& contact) {
+    return {contact.a, contact.b, contact.image};
+  }
+
+  // Known pairs stay as they are.
   void rebuild(const Particles& particles) {
-    std::swap(pairs_, old_pairs_);
-    pairs_.clear();
+    keys_.clear();
     neighbours_.visit_pairs(particles, plane_,
                             [this](BodyIndex a, BodyIndex b, const Image& image) {
-                              pairs_.emplace_back();
-                              pairs_.back().a = a;
-                              pairs_.back().b = b;
-                              pairs_.back().image = image;
+                              keys_.push_back({a, b, image});
                             });
-    const auto by_bodies = [](const ContactType& p, const ContactType& q) {
-      return std::tie(p.a, p.b, p.image) < std::tie(q.a, q.b, q.image);
+    std::sort(keys_.begin(), keys_.end());
+    order_.resize(pairs_.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    const auto before = [this](std::uint32_t p, std::uint32_t q) {
+      return key(pairs_[p]) < key(pairs_[q]);
     };
-    std::sort(pairs_.begin(), pairs_.end(), by_bodies);
-    std::sort(old_pairs_.begin(), old_pairs_.end(), by_bodies);
-    auto old = old_pairs_.begin();
-    for (ContactType& pair : pairs_) {
-      while (old != old_pairs_.end() && by_bodies(*old, pair)) ++old;
-      if (old != old_pairs_.end() && !by_bodies(pair, *old)) pair = *old;
+    // Only splits bring them out of order.
+    if (!std::is_sorted(order_.begin(), order_.end(), before))
+      std::sort(order_.begin(), order_.end(), before);
+    next_pairs_.clear();
+    next_apart_until_.clear();
+    auto old = order_.begin();
+    for (const Key& k : keys_) {
+      while (old != order_.end() && key(pairs_[*old]) < k) ++old;
+      if (old != order_.end() && key(pairs_[*old]) == k) {
+        next_pairs_.push_back(pairs_[*old]);
+        next_apart_until_.push_back(apart_until_[*old]);
+      } else {
+        next_pairs_.push_back({.a = k.a, .b = k.b, .image = k.image});
+        next_apart_until_.push_back(unknown);
+      }
+    }
+    std::swap(pairs_, next_pairs_);
+    std::swap(apart_until_, next_apart_until_);
+  }
+
+  // Geometry of all pairs that touch. Those known to be apart still cost a comparison.
+  void find_contacts(const Particles& particles) {
+    const double travelled = neighbours_.travel().so_far();
+    touching_.clear();
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+      if (travelled < apart_until_[k]) continue;
+      ContactType& contact = pairs_[k];
+      const std::optional<ContactGeometry> geometry =
+          narrow_(particles.ring(contact.a), ring_of_b(contact, particles), contact.memory);
+      if (geometry) {
+        if (!contact.touching) contact.history = typename Law::History{};
+        contact.geometry = *geometry;
+        apart_until_[k] = unknown;
+        touching_.push_back(static_cast<std::uint32_t>(k));
+      } else if constexpr (requires { narrow_.clearance(contact.memory); }) {
+        apart_until_[k] = neighbours_.travel().until_closed(narrow_.clearance(contact.memory));
+      }
+      contact.touching = geometry.has_value();
     }
   }
 
@@ -176,36 +227,36 @@ class ContactList {
     return ring;
   }
 
-  void evaluate(ContactType& contact, Particles& particles, double time_step) {
-    Body& a = particles.body(contact.a);
-    Body& b = particles.body(contact.b);
-    const std::optional<ContactGeometry> geometry =
-        narrow_(particles.ring(contact.a), ring_of_b(contact, particles), contact.memory);
-    if (!geometry) {
-      contact.touching = false;
-      return;
+  void find_forces(Particles& particles, double time_step) {
+    for (Body& body : particles.bodies()) body.contact = Wrench{};
+    for (const std::uint32_t k : touching_) {
+      ContactType& contact = pairs_[k];
+      Body& a = particles.body(contact.a);
+      Body& b = particles.body(contact.b);
+      find_arms(contact, a, b);
+      const Vec2 tangent = contact.geometry.tangent();
+      const Vec2 relative = relative_velocity(contact, particles);
+      const ContactMotion motion{.normal_velocity = relative.dot(contact.geometry.normal),
+                                 .tangential_velocity =
+                                     contact.at_platen ? 0 : relative.dot(tangent),
+                                 .time_step = time_step,
+                                 .effective_mass = effective_mass(a, b)};
+      contact.force = law_(contact.geometry, motion, contact.history);
+      slipped_ += contact.force.slipped;
+      damped_ += contact.force.damped;
+      const Vec2 on_b = contact.force_on_b();
+      b.contact.force += on_b;
+      b.contact.moment += cross(contact.arm_b, on_b);
+      a.contact.force -= on_b;
+      a.contact.moment -= cross(contact.arm_a, on_b);
     }
-    if (!contact.touching) contact.history = typename Law::History{};
-    contact.touching = true;
-    contact.geometry = *geometry;
-    contact.at_platen = a.motion == Motion::platen || b.motion == Motion::platen;
-    contact.arm_a = geometry->point - a.position;
+  }
+
+  void find_arms(ContactType& contact, const Body& a, const Body& b) const {
+    contact.arm_a = contact.geometry.point - a.position;
     contact.arm_b = point_at_b(contact) - b.position;
+    contact.at_platen = a.motion == Motion::platen || b.motion == Motion::platen;
     if (contact.at_platen) (a.motion == Motion::platen ? contact.arm_a : contact.arm_b) = {0, 0};
-    const Vec2 relative = relative_velocity(contact, particles);
-    const ContactMotion motion{.normal_velocity = relative.dot(geometry->normal),
-                               .tangential_velocity =
-                                   contact.at_platen ? 0 : relative.dot(geometry->tangent()),
-                               .time_step = time_step,
-                               .effective_mass = effective_mass(a, b)};
-    contact.force = law_(contact.geometry, motion, contact.history);
-    slipped_ += contact.force.slipped;
-    damped_ += contact.force.damped;
-    const Vec2 on_b = contact.force_on_b();
-    b.contact.force += on_b;
-    b.contact.moment += cross(contact.arm_b, on_b);
-    a.contact.force -= on_b;
-    a.contact.moment -= cross(contact.arm_a, on_b);
   }
 
   [[nodiscard]] static double effective_mass(const Body& a, const Body& b) {
@@ -221,10 +272,16 @@ class ContactList {
   Law law_;
   [[no_unique_address]] Plane plane_{};
   std::vector<ContactType> pairs_;
-  std::vector<ContactType> old_pairs_;
+  std::vector<double> apart_until_;      // pair by pair, in terms of Travel::so_far()
+  std::vector<std::uint32_t> touching_;  // which pairs, in order
   std::vector<Vec2> image_ring_;
   double slipped_ = 0;
   double damped_ = 0;
+  // Of a rebuild; kept for their memory.
+  std::vector<Key> keys_;
+  std::vector<std::uint32_t> order_;
+  std::vector<ContactType> next_pairs_;
+  std::vector<double> next_apart_until_;
 };
 
 }  // namespace riprap

@@ -10,6 +10,7 @@
 
 #include <riprap/contact/broad_phase/concepts.hpp>
 #include <riprap/contact/plane.hpp>
+#include <riprap/contact/travel.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/particle/particles.hpp>
 
@@ -25,32 +26,29 @@ class NeighbourSearch {
 
   explicit NeighbourSearch(Broad broad) : broad_(std::move(broad)) {}
 
-  /// True once pairs may be missing.
-  [[nodiscard]] bool stale(const Particles& particles, const Plane& plane) const {
-    if (built_for_.size() != particles.size()) return true;
-    const double allowed = allowance_squared(plane);
-    for (std::size_t i = 0; i < built_for_.size(); ++i) {
-      const auto index = static_cast<BodyIndex>(i);
-      const Body& body = particles.body(index);
-      const Vec2 shift = body.position - built_for_[i].position;
-      const double dc = body.rotation.cosine - built_for_[i].rotation.cosine;
-      const double ds = body.rotation.sine - built_for_[i].rotation.sine;
-      const double reach = particles.shape(index).circumradius;
-      // (p + q)^2 <= 2 (p^2 + q^2): no root needed to bound the way of the farthest vertex.
-      if (2 * (shift.dot(shift) + reach * reach * (dc * dc + ds * ds)) > allowed) return true;
+  /// Follows the bodies to their present poses. True once pairs may be missing.
+  [[nodiscard]] bool stale(const Particles& particles, const Plane& plane) {
+    if (travel_.bodies() != particles.size()) {
+      travel_.restart(particles, plane);
+      good_until_ = -infinity;
+    } else {
+      travel_.update(particles, plane, skin_ / 16, farthest_image_);
     }
-    return false;
+    return travel_.so_far() >= good_until_;
   }
 
+  /// How far bodies have moved, as of the last call of `stale`.
+  [[nodiscard]] const Travel<Plane>& travel() const { return travel_; }
+
   /// Has the search made anew when it is asked next, whatever has moved.
-  void invalidate() { built_for_.clear(); }
+  void invalidate() { good_until_ = -infinity; }
 
   /// Calls `visit(a, b, image)` once for each two bodies a < b, the second one by an image of it,
   /// that are near each other; two driven bodies are not a pair.
   template <class Visit>
   void visit_pairs(const Particles& particles, const Plane& plane, Visit&& visit) {
-    enclose(particles);
-    if constexpr (Plane::periodic) add_images(plane);
+    enclose(particles, plane);
+    if constexpr (Plane::periodic) add_images(particles, plane);
     broad_.visit_pairs(std::span<const Box>(boxes_), [&](BodyIndex i, BodyIndex j) {
       Image image{};
       if constexpr (Plane::periodic)
@@ -61,33 +59,19 @@ class NeighbourSearch {
   }
 
  private:
-  struct Pose {
-    Vec2 position;
-    Rotation rotation;
-  };
   struct BodyImage {
     BodyIndex body = 0;
     Image image{};
   };
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // The images move with the cell, which takes its part of what bodies may move.
-  [[nodiscard]] double allowance_squared(const Plane& plane) const {
-    double allowance = 0.5 * skin_;
-    if constexpr (Plane::periodic) {
-      const Vec2 shrunk = (plane.period - built_plane_.period).cwiseAbs();
-      allowance -= 0.5 * farthest_image_ * (shrunk.x() + shrunk.y());
-    }
-    return allowance > 0 ? allowance * allowance : -1;
-  }
-
-  void enclose(const Particles& particles) {
+  void enclose(const Particles& particles, const Plane& plane) {
+    if (travel_.bodies() != particles.size()) travel_.restart(particles, plane);
     double mean_radius = 0;
     for (std::size_t i = 0; i < particles.size(); ++i)
       mean_radius += particles.shape(static_cast<BodyIndex>(i)).circumradius;
     skin_ = 2 * broad_.relative_skin * mean_radius / static_cast<double>(particles.size());
     boxes_.clear();
-    built_for_.clear();
     for (std::size_t i = 0; i < particles.size(); ++i) {
       const auto index = static_cast<BodyIndex>(i);
       Box box{Vec2::Constant(infinity), Vec2::Constant(-infinity)};
@@ -98,33 +82,32 @@ class NeighbourSearch {
       box.low.array() -= 0.5 * skin_;
       box.high.array() += 0.5 * skin_;
       boxes_.push_back(box);
-      built_for_.push_back({particles.body(index).position, particles.body(index).rotation});
     }
+    good_until_ = travel_.until_closed(skin_);
   }
 
   // Moves every box into the cell and adds the images that may be met from there. Of two images
   // that are neighbours across the border, the one to the right of or above the other is added.
-  void add_images(const Plane& plane) {
+  void add_images(const Particles& particles, const Plane& plane) {
     images_.clear();
     Box all{Vec2::Constant(infinity), Vec2::Constant(-infinity)};
     Image first{};
     Image last{};
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
-      const Image home = plane.cell_of(built_for_[i].position);
+      const Image home = plane.cell_of(particles.body(static_cast<BodyIndex>(i)).position);
       first = {std::min(first.axis_1, home.axis_1), std::min(first.axis_2, home.axis_2)};
       last = {std::max(last.axis_1, home.axis_1), std::max(last.axis_2, home.axis_2)};
       images_.push_back({static_cast<BodyIndex>(i), -home});
       boxes_[i] = boxes_[i].moved(plane.offset(-home));
       all = {all.low.cwiseMin(boxes_[i].low), all.high.cwiseMax(boxes_[i].high)};
     }
-    for (std::size_t i = 0; i < built_for_.size(); ++i)
+    for (std::size_t i = 0; i < particles.size(); ++i)
       for (const Image& step : {Image{1, -1}, Image{1, 0}, Image{1, 1}, Image{0, 1}}) {
         const Box box = boxes_[i].moved(plane.offset(step));
         if (!box.meets(all)) continue;
         boxes_.push_back(box);
         images_.push_back({static_cast<BodyIndex>(i), images_[i].image + step});
       }
-    built_plane_ = plane;
     farthest_image_ = 1 + std::max(last.axis_1 - first.axis_1, last.axis_2 - first.axis_2);
   }
 
@@ -146,10 +129,10 @@ class NeighbourSearch {
 
   Broad broad_;
   std::vector<Box> boxes_;
-  std::vector<Pose> built_for_;
   double skin_ = 0;
+  Travel<Plane> travel_;
+  double good_until_ = -infinity;  // in terms of travel_.so_far()
   // In a periodic plane only.
-  [[no_unique_address]] Plane built_plane_{};
   std::vector<BodyImage> images_;
   int farthest_image_ = 1;
 };

@@ -35,23 +35,35 @@ struct OverlapPolygon {
 
 namespace internal {
 
-/// Keeps what lies to the left of the line from p along `edge`; the new edge is labelled `cutter`.
-/// Sutherland and Hodgman (1974); for convex input at most one edge is new.
-inline void clip_by_edge(const OverlapPolygon& in, const Vec2& p, const Vec2& edge,
+/// Where the vertices of `in` lie to the line from p along `edge`: to the left, not negative. False
+/// if none lies to the right: most edges cut nothing, and then nothing need be copied.
+[[nodiscard]] inline bool is_cut(const OverlapPolygon& in, const Vec2& p, const Vec2& edge,
+                                 std::array<double, 2 * max_polygon_vertices>& distances) {
+  bool cut = false;
+  for (std::size_t i = 0; i < in.size; ++i) {
+    distances[i] = cross(edge, in.vertices[i] - p);
+    cut |= distances[i] < 0;
+  }
+  return cut;
+}
+
+/// Keeps what lies to the left of a line; the new edge is labelled `cutter`. Sutherland and Hodgman
+/// (1974); for convex input at most one edge is new.
+/// @param distances of the vertices of `in` from the line
+inline void clip_by_edge(const OverlapPolygon& in,
+                         const std::array<double, 2 * max_polygon_vertices>& distances,
                          EdgeSource cutter, OverlapPolygon& out) {
   out.size = 0;
-  double d = cross(edge, in.vertices[0] - p);
-  const double d_first = d;
   for (std::size_t i = 0; i < in.size; ++i) {
     const std::size_t next = i + 1 == in.size ? 0 : i + 1;
-    const double d_next = next == 0 ? d_first : cross(edge, in.vertices[next] - p);
+    const double d = distances[i];
+    const double d_next = distances[next];
     const bool inside = d >= 0;
     if (inside) out.push(in.vertices[i], in.sources[i]);
     if (inside != (d_next >= 0)) {
       const Vec2 x = in.vertices[i] + (d / (d - d_next)) * (in.vertices[next] - in.vertices[i]);
       out.push(x, inside ? cutter : in.sources[i]);
     }
-    d = d_next;
   }
 }
 
@@ -78,10 +90,12 @@ inline void drop_short_edges(OverlapPolygon& polygon, double tolerance) {
   std::size_t current = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
     buffers[0].push(a[i] - origin, {false, static_cast<std::uint8_t>(i)});
+  std::array<double, 2 * max_polygon_vertices> distances;
   for (std::size_t j = 0; j < b.size() && buffers[current].size > 0; ++j) {
     const Vec2 p = b[j] - origin;
     const Vec2 edge = b[j + 1 == b.size() ? 0 : j + 1] - b[j];
-    internal::clip_by_edge(buffers[current], p, edge, {true, static_cast<std::uint8_t>(j)},
+    if (!internal::is_cut(buffers[current], p, edge, distances)) continue;
+    internal::clip_by_edge(buffers[current], distances, {true, static_cast<std::uint8_t>(j)},
                            buffers[1 - current]);
     current = 1 - current;
   }

@@ -44,6 +44,14 @@ struct AreaProperties {
   return {area, origin + c, second / 12 - area * c.dot(c)};
 }
 
+/// The area alone [m^2], the same to the last bit.
+[[nodiscard]] inline double polygon_area(Ring ring) {
+  double twice_area = 0;
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+    twice_area += cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
+  return 0.5 * twice_area;
+}
+
 /// Largest distance between two vertices [m].
 [[nodiscard]] inline double diameter(Ring ring) {
   double squared = 0;

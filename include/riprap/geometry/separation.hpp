@@ -8,13 +8,15 @@
 #include <limits>
 
 #include <riprap/core/vec2.hpp>
+#include <riprap/geometry/edge_side.hpp>
 
 namespace riprap {
 
-/// An edge of one of two rings, remembered from step to step.
+/// An edge of one of two rings that parts them, remembered from step to step.
 struct SeparatingEdge {
   bool of_b = false;
   std::uint8_t edge = 0;
+  double gap = 0;  ///< the rings were at least so far apart when the edge last parted them [m]
 };
 
 /// True if all of `other` lies strictly outside edge `i` of `ring`.
@@ -26,24 +28,32 @@ struct SeparatingEdge {
   return true;
 }
 
+/// Looks for an edge of a or b that parts the two convex rings, and remembers it. True if there is
+/// one.
+[[nodiscard]] inline bool find_separating_edge(Ring a, Ring b, SeparatingEdge& memory) {
+  const auto search = [&memory](Ring ring, Ring other, bool of_b) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (!edge_separates(ring, i, other)) continue;
+      memory = {of_b, static_cast<std::uint8_t>(i), -edge_side(ring, i, other).depth(ring, i)};
+      return true;
+    }
+    return false;
+  };
+  return search(a, b, false) || search(b, a, true);
+}
+
 /// True if an edge of a or b parts the two convex rings; `memory` holds the edge that did so last
 /// and is tried first (two resting neighbours cost one edge test a step).
 [[nodiscard]] inline bool separated(Ring a, Ring b, SeparatingEdge& memory) {
-  const std::size_t remembered = memory.edge;
-  if (remembered < (memory.of_b ? b.size() : a.size()) &&
-      (memory.of_b ? edge_separates(b, remembered, a) : edge_separates(a, remembered, b)))
-    return true;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (edge_separates(a, i, b)) {
-      memory = {false, static_cast<std::uint8_t>(i)};
+  const Ring ring = memory.of_b ? b : a;
+  if (memory.edge < ring.size()) {
+    const EdgeSide side = edge_side(ring, memory.edge, memory.of_b ? a : b);
+    if (side.deepest < 0) {
+      memory.gap = -side.depth(ring, memory.edge);
       return true;
     }
-  for (std::size_t i = 0; i < b.size(); ++i)
-    if (edge_separates(b, i, a)) {
-      memory = {true, static_cast<std::uint8_t>(i)};
-      return true;
-    }
-  return false;
+  }
+  return find_separating_edge(a, b, memory);
 }
 
 /// The direction in which two overlapping rings are least entangled.

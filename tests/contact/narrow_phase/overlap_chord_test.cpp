@@ -285,8 +285,12 @@ TEST_CASE("what a pair remembers never changes the answer") {
 TEST_CASE("a memory of another pair's edge does no harm") {
   const ConvexPolygon a = rectangle({0, 0}, 1, 1);
   const ConvexPolygon b = tip_down({0, 0.4}, 1, 1);
-  OverlapChord::Memory memory{.of_b = true, .edge = 63};
-  CHECK(OverlapChord{}(a.ring(), b.ring(), memory));
+  using Memory = OverlapChord::Memory;
+  for (const auto state :
+       {Memory::State::apart, Memory::State::one_edge, Memory::State::entangled}) {
+    Memory memory{.edge = {.of_b = true, .edge = 63}, .state = state};
+    CHECK(OverlapChord{}(a.ring(), b.ring(), memory));
+  }
 }
 
 // --- Continuity ---------------------------------------------------------------------------------

@@ -3,6 +3,8 @@
 /// What two overlapping rings have in common.
 
 #include <cmath>
+#include <cstddef>
+#include <optional>
 
 #include <riprap/geometry/overlap.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
@@ -15,10 +17,21 @@ struct CommonPart {
   static constexpr double negligible = 1e-10;
 
   OverlapPolygon polygon;
-  AreaProperties properties;
+  double area = 0;  ///< [m^2]
   double size = 0;  ///< of the first ring, to a factor of two or so [m]
 
   [[nodiscard]] bool empty() const { return polygon.size == 0; }
+
+  /// The edge through which one ring enters the other, if it is the only one of its ring that
+  /// bounds the common part.
+  [[nodiscard]] std::optional<EdgeSource> only_edge_of_one() const {
+    std::size_t of_b = 0;
+    for (std::size_t i = 0; i < polygon.size; ++i) of_b += polygon.sources[i].of_b;
+    if (polygon.size < 3 || (of_b != 1 && polygon.size - of_b != 1)) return std::nullopt;
+    std::size_t i = 0;
+    while (polygon.sources[i].of_b != (of_b == 1)) ++i;
+    return polygon.sources[i];
+  }
 };
 
 /// Empty where the rings have no area worth the name in common.
@@ -26,10 +39,10 @@ struct CommonPart {
   const Vec2 across = a[a.size() / 2] - a[0];
   const double size = std::sqrt(across.dot(across));
   constexpr double negligible = CommonPart::negligible;
-  CommonPart part{overlap(a, b, a[0], negligible * size), {}, size};
-  part.properties = area_properties(part.polygon.ring());
+  CommonPart part{overlap(a, b, a[0], negligible * size), 0, size};
+  part.area = polygon_area(part.polygon.ring());
   // A corner's overlap shrinks with the square of its depth, so this is a squared length.
-  if (part.properties.area <= negligible * size * negligible * size) part.polygon.size = 0;
+  if (part.area <= negligible * size * negligible * size) part.polygon.size = 0;
   return part;
 }
 

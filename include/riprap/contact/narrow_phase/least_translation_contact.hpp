@@ -6,6 +6,7 @@
 
 #include <riprap/contact/contact_geometry.hpp>
 #include <riprap/contact/narrow_phase/common_part.hpp>
+#include <riprap/geometry/polygon_properties.hpp>
 #include <riprap/geometry/separation.hpp>
 
 namespace riprap {
@@ -17,9 +18,9 @@ namespace riprap {
                                                                const CommonPart& common) {
   const MinimumTranslation least = minimum_translation(a, b);
   ContactGeometry contact{.normal = least.normal,
-                          .point = common.properties.centroid + a[0],
+                          .point = area_properties(common.polygon.ring()).centroid + a[0],
                           .depth = std::max(least.depth, 0.0),
-                          .area = common.properties.area};
+                          .area = common.area};
   contact.chord = extent_along(common.polygon.ring(), contact.tangent());
   return contact;
 }
