@@ -3,6 +3,7 @@
 /// All pairs near each other, their contacts and the forces in them, kept from step to step.
 
 #include <algorithm>
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <limits>
@@ -16,6 +17,9 @@
 #include <riprap/contact/narrow_phase/concepts.hpp>
 #include <riprap/contact/neighbour_search.hpp>
 #include <riprap/contact/plane.hpp>
+#include <riprap/core/execution/serial.hpp>
+#include <riprap/core/step_part.hpp>
+#include <riprap/geometry/convex_polygon.hpp>
 #include <riprap/particle/particles.hpp>
 
 namespace riprap {
@@ -73,7 +77,8 @@ class ContactList {
   /// Calls `visit(contact)` for every pair that touches, in order.
   template <class Visit>
   void for_each_touching(Visit&& visit) const {
-    for (const std::uint32_t k : touching_) visit(pairs_[k]);
+    for (const Task& task : tasks_)
+      for (const std::uint32_t k : touching(task)) visit(pairs_[k]);
   }
 
   /// Velocity of b's image relative to a at their contact [m/s].
@@ -101,10 +106,17 @@ class ContactList {
 
   /// Finds contacts and forces at the present poses and sums them into the bodies' wrenches.
   /// @param time_step [s] of the motion that led here; zero to re-evaluate without motion
-  void update(Particles& particles, double time_step) {
+  /// @param lap is told when a part of the step is done
+  template <Execution E = Serial, class Lap = NoLaps>
+  void update(Particles& particles, double time_step, const E& execution = {}, Lap&& lap = {}) {
     if (neighbours_.stale(particles, plane_)) rebuild(particles);
-    find_contacts(particles);
-    find_forces(particles, time_step);
+    lap(StepPart::broad_phase);
+    execution.run(tasks_.size(), [&](std::size_t t) { find_contacts(tasks_[t], particles); });
+    lap(StepPart::narrow_phase);
+    execution.run(tasks_.size(),
+                  [&](std::size_t t) { find_forces(tasks_[t], particles, time_step); });
+    add_deferred(particles);
+    lap(StepPart::contact_law);
   }
 
   /// Has the pairs found anew at the next update, whatever has moved.
@@ -118,9 +130,8 @@ class ContactList {
   /// afterwards.
   template <class OfSecond>
   void divide(BodyIndex parent, BodyIndex second, OfSecond&& of_second) {
-    for (const std::uint32_t k : touching_) {
-      ContactType& contact = pairs_[k];
-      if (contact.a != parent && contact.b != parent) continue;
+    for (ContactType& contact : pairs_) {
+      if (!contact.touching || (contact.a != parent && contact.b != parent)) continue;
       if (!of_second(contact.a == parent ? contact.geometry.point : point_at_b(contact))) continue;
       if (contact.a == parent) {
         // The new piece has the highest index: it becomes b. Tangential forces keep their sign, for
@@ -191,45 +202,89 @@ class ContactList {
     }
     std::swap(pairs_, next_pairs_);
     std::swap(apart_until_, next_apart_until_);
+    share_out(particles.size());
+  }
+
+  // One task has the pairs whose first body is one of its own: it alone adds forces to them. What
+  // it has for the bodies of others waits until all are done.
+  struct Deferred {
+    BodyIndex body = 0;
+    Wrench wrench;
+  };
+  struct Task {
+    std::size_t first_body = 0;
+    std::size_t last_body = 0;
+    std::size_t first_pair = 0;
+    std::size_t last_pair = 0;
+    std::size_t touching = 0;  // how many of its pairs
+    double slipped = 0;
+    double damped = 0;
+    std::vector<Deferred> deferred{};
+  };
+
+  void share_out(std::size_t bodies) {
+    tasks_.resize(task_count(bodies));
+    touching_.resize(pairs_.size());
+    auto pair = pairs_.begin();
+    for (std::size_t t = 0; t < tasks_.size(); ++t) {
+      Task& task = tasks_[t];
+      task.first_body = t * task_size;
+      task.last_body = std::min(bodies, (t + 1) * task_size);
+      task.first_pair = static_cast<std::size_t>(pair - pairs_.begin());
+      pair = std::partition_point(pair, pairs_.end(),
+                                  [&](const ContactType& c) { return c.a < task.last_body; });
+      task.last_pair = static_cast<std::size_t>(pair - pairs_.begin());
+      task.touching = 0;
+    }
+  }
+
+  // Which pairs of a task touch, in order.
+  [[nodiscard]] std::span<const std::uint32_t> touching(const Task& task) const {
+    return {touching_.data() + task.first_pair, task.touching};
   }
 
   // Geometry of all pairs that touch. Those known to be apart still cost a comparison.
-  void find_contacts(const Particles& particles) {
+  void find_contacts(Task& task, const Particles& particles) {
     const double travelled = neighbours_.travel().so_far();
-    touching_.clear();
-    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    std::size_t last = task.first_pair;
+    for (std::size_t k = task.first_pair; k < task.last_pair; ++k) {
       if (travelled < apart_until_[k]) continue;
       ContactType& contact = pairs_[k];
-      const std::optional<ContactGeometry> geometry =
-          narrow_(particles.ring(contact.a), ring_of_b(contact, particles), contact.memory);
+      const std::optional<ContactGeometry> geometry = meet(contact, particles);
       if (geometry) {
         if (!contact.touching) contact.history = typename Law::History{};
         contact.geometry = *geometry;
         apart_until_[k] = unknown;
-        touching_.push_back(static_cast<std::uint32_t>(k));
+        touching_[last++] = static_cast<std::uint32_t>(k);
       } else if constexpr (requires { narrow_.clearance(contact.memory); }) {
         apart_until_[k] = neighbours_.travel().until_closed(narrow_.clearance(contact.memory));
       }
       contact.touching = geometry.has_value();
     }
+    task.touching = last - task.first_pair;
   }
 
-  // The ring that a meets: b's, or its image's.
-  [[nodiscard]] Ring ring_of_b(const ContactType& contact, const Particles& particles) {
+  // What the narrow phase says of a and of b, or its image.
+  [[nodiscard]] std::optional<ContactGeometry> meet(ContactType& contact,
+                                                    const Particles& particles) const {
     const Ring ring = particles.ring(contact.b);
     if constexpr (Plane::periodic) {
-      if (contact.image == Image{}) return ring;
-      const Vec2 offset = plane_.offset(contact.image);
-      image_ring_.clear();
-      for (const Vec2& v : ring) image_ring_.push_back(v + offset);
-      return image_ring_;
+      if (contact.image != Image{}) {
+        const Vec2 offset = plane_.offset(contact.image);
+        std::array<Vec2, max_polygon_vertices> image;
+        for (std::size_t k = 0; k < ring.size(); ++k) image[k] = ring[k] + offset;
+        return narrow_(particles.ring(contact.a), Ring{image.data(), ring.size()}, contact.memory);
+      }
     }
-    return ring;
+    return narrow_(particles.ring(contact.a), ring, contact.memory);
   }
 
-  void find_forces(Particles& particles, double time_step) {
-    for (Body& body : particles.bodies()) body.contact = Wrench{};
-    for (const std::uint32_t k : touching_) {
+  void find_forces(Task& task, Particles& particles, double time_step) {
+    for (std::size_t i = task.first_body; i < task.last_body; ++i)
+      particles.body(static_cast<BodyIndex>(i)).contact = Wrench{};
+    task.deferred.clear();
+    task.slipped = task.damped = 0;
+    for (const std::uint32_t k : touching(task)) {
       ContactType& contact = pairs_[k];
       Body& a = particles.body(contact.a);
       Body& b = particles.body(contact.b);
@@ -242,13 +297,31 @@ class ContactList {
                                  .time_step = time_step,
                                  .effective_mass = effective_mass(a, b)};
       contact.force = law_(contact.geometry, motion, contact.history);
-      slipped_ += contact.force.slipped;
-      damped_ += contact.force.damped;
+      task.slipped += contact.force.slipped;
+      task.damped += contact.force.damped;
       const Vec2 on_b = contact.force_on_b();
-      b.contact.force += on_b;
-      b.contact.moment += cross(contact.arm_b, on_b);
       a.contact.force -= on_b;
       a.contact.moment -= cross(contact.arm_a, on_b);
+      const double moment = cross(contact.arm_b, on_b);
+      if (contact.b < task.last_body) {
+        b.contact.force += on_b;
+        b.contact.moment += moment;
+      } else {
+        task.deferred.push_back({contact.b, {on_b, moment}});
+      }
+    }
+  }
+
+  // In the order of tasks and pairs, whoever has done them.
+  void add_deferred(Particles& particles) {
+    for (const Task& task : tasks_) {
+      for (const Deferred& d : task.deferred) {
+        Wrench& sum = particles.body(d.body).contact;
+        sum.force += d.wrench.force;
+        sum.moment += d.wrench.moment;
+      }
+      slipped_ += task.slipped;
+      damped_ += task.damped;
     }
   }
 
@@ -272,9 +345,9 @@ class ContactList {
   Law law_;
   [[no_unique_address]] Plane plane_{};
   std::vector<ContactType> pairs_;
-  std::vector<double> apart_until_;      // pair by pair, in terms of Travel::so_far()
-  std::vector<std::uint32_t> touching_;  // which pairs, in order
-  std::vector<Vec2> image_ring_;
+  std::vector<double> apart_until_;  // pair by pair, in terms of Travel::so_far()
+  std::vector<Task> tasks_;
+  std::vector<std::uint32_t> touching_;  // of each task, at the place of its pairs
   double slipped_ = 0;
   double damped_ = 0;
   // Of a rebuild; kept for their memory.

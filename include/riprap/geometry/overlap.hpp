@@ -14,8 +14,8 @@ namespace riprap {
 
 /// Where an edge of the overlap polygon comes from.
 struct EdgeSource {
-  bool of_b = false;
-  std::uint8_t edge = 0;
+  bool of_b;
+  std::uint8_t edge;
   friend bool operator==(const EdgeSource&, const EdgeSource&) = default;
 };
 
@@ -67,18 +67,14 @@ inline void clip_by_edge(const OverlapPolygon& in,
   }
 }
 
-/// Drops edges shorter than `tolerance`: vertices that fall together carry no information.
-inline void drop_short_edges(OverlapPolygon& polygon, double tolerance) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < polygon.size; ++i) {
-    const std::size_t next = i + 1 == polygon.size ? 0 : i + 1;
-    const Vec2 edge = polygon.vertices[next] - polygon.vertices[i];
-    if (edge.dot(edge) <= tolerance * tolerance) continue;
-    polygon.vertices[kept] = polygon.vertices[i];
-    polygon.sources[kept] = polygon.sources[i];
-    ++kept;
+/// Copies a polygon without its edges shorter than `tolerance`: vertices that fall together carry
+/// no information.
+inline void copy_long_edges(const OverlapPolygon& in, double tolerance, OverlapPolygon& out) {
+  for (std::size_t i = 0; i < in.size; ++i) {
+    const std::size_t next = i + 1 == in.size ? 0 : i + 1;
+    const Vec2 edge = in.vertices[next] - in.vertices[i];
+    if (edge.dot(edge) > tolerance * tolerance) out.push(in.vertices[i], in.sources[i]);
   }
-  polygon.size = kept;
 }
 
 }  // namespace internal
@@ -99,9 +95,10 @@ inline void drop_short_edges(OverlapPolygon& polygon, double tolerance) {
                            buffers[1 - current]);
     current = 1 - current;
   }
-  internal::drop_short_edges(buffers[current], tolerance);
-  if (buffers[current].size < 3) buffers[current].size = 0;
-  return buffers[current];
+  OverlapPolygon common;
+  internal::copy_long_edges(buffers[current], tolerance, common);
+  if (common.size < 3) common.size = 0;
+  return common;
 }
 
 }  // namespace riprap

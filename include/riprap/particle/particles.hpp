@@ -71,10 +71,18 @@ class Particles {
 
   /// Brings the laboratory vertices of particle i to its pose.
   void update_ring(BodyIndex i) {
-    const Body& body = bodies_[i];
-    const ParticleShape& shape = shapes_[i];
-    for (std::uint32_t k = shape.first; k < shape.first + shape.count; ++k)
-      placed_[k] = body.rotation * local_[k] + body.position;
+    // Copies, so that the compiler need not fear that the loop writes into them.
+    const Rotation rotation = bodies_[i].rotation;
+    const Vec2 position = bodies_[i].position;
+    const std::uint32_t count = shapes_[i].count;
+    const Vec2* const local = local_.data() + shapes_[i].first;
+    Vec2* const placed = placed_.data() + shapes_[i].first;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const double x = local[k].x();
+      const double y = local[k].y();
+      placed[k].x() = rotation.cosine * x - rotation.sine * y + position.x();
+      placed[k].y() = rotation.sine * x + rotation.cosine * y + position.y();
+    }
   }
 
  private:

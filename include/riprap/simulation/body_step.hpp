@@ -16,6 +16,13 @@ struct BodyWork {
   double boundary = 0;    ///< done by driven bodies, or by a shrinking cell, on the rest
   double body_force = 0;  ///< done by the uniform body force
   double damping = 0;     ///< taken out by damping
+
+  BodyWork& operator+=(const BodyWork& o) {
+    boundary += o.boundary;
+    body_force += o.body_force;
+    damping += o.damping;
+    return *this;
+  }
 };
 
 /// Moves free bodies by the integrator and driven ones at their velocity. Each kick's work is
@@ -27,10 +34,8 @@ class BodyStep {
   static constexpr bool needs_finish = decltype(MotionPart::integrator)::needs_finish;
 
   /// @param body_force acceleration of the uniform body force [m/s^2]; @param time_step [s]
-  BodyStep(const MotionPart& motion, const Plane& plane, const Vec2& body_force, double time_step,
-           BodyWork& work)
-      : motion_(motion), plane_(plane), body_force_(body_force), time_step_(time_step),
-        work_(work) {}
+  BodyStep(const MotionPart& motion, const Plane& plane, const Vec2& body_force, double time_step)
+      : motion_(motion), plane_(plane), body_force_(body_force), time_step_(time_step) {}
 
   /// Time of the first and of the second kick [s].
   [[nodiscard]] double first_kick_time() const {
@@ -40,14 +45,15 @@ class BodyStep {
     return (1 - first_kick(motion_.integrator)) * time_step_;
   }
 
-  /// Forces of the present poses move the bodies to the next ones. Throws SimulationError, naming
-  /// the particle, if its motion is no longer finite.
-  void advance(Particles& particles) const {
+  /// Forces of the present poses move bodies `first` to `last` to the next ones. Returns the work
+  /// done on them; throws SimulationError, naming the particle, if its motion is no longer finite.
+  [[nodiscard]] BodyWork advance(Particles& particles, BodyIndex first, BodyIndex last) const {
     const double kick_time = first_kick_time();
-    for (BodyIndex i = 0; i < particles.size(); ++i) {
+    BodyWork work;
+    for (BodyIndex i = first; i < last; ++i) {
       Body& body = particles.body(i);
       if (body.is_free()) {
-        kick_free(body, kick_time, [this](Body& b, const Wrench& w) {
+        kick_free(body, kick_time, work, [this](Body& b, const Wrench& w) {
           motion_.integrator.advance(b, w, time_step_);
         });
         if (!is_finite(body))
@@ -55,38 +61,43 @@ class BodyStep {
                                 ": motion is no longer finite; the time step may be too long");
       } else {
         drift(body, time_step_);
-        book_driven(body, kick_time);
+        book_driven(body, kick_time, work);
       }
       particles.update_ring(i);
     }
+    return work;
   }
 
-  /// The second kick, for integrators that have one.
-  void finish(Particles& particles) const {
+  /// The second kick of bodies `first` to `last`, for integrators that have one.
+  [[nodiscard]] BodyWork finish(Particles& particles, BodyIndex first, BodyIndex last) const {
     const double kick_time = second_kick_time();
-    for (Body& body : particles.bodies()) {
+    BodyWork work;
+    for (BodyIndex i = first; i < last; ++i) {
+      Body& body = particles.body(i);
       if (body.is_free())
-        kick_free(body, kick_time, [this](Body& b, const Wrench& w) {
+        kick_free(body, kick_time, work, [this](Body& b, const Wrench& w) {
           motion_.integrator.finish(b, w, time_step_);
         });
       else
-        book_driven(body, kick_time);
+        book_driven(body, kick_time, work);
     }
+    return work;
   }
 
  private:
   template <class Kick>
-  void kick_free(Body& body, double kick_time, Kick&& kick) const {
-    const Body before = body;
+  void kick_free(Body& body, double kick_time, BodyWork& work, Kick&& kick) const {
+    const Vec2 velocity_before = body.velocity;
+    const double spin_before = body.angular_velocity;
     Wrench total{body.contact.force + body.mass * body_force_, body.contact.moment};
     const Wrench damped = motion_.damping(seen_by_damping(body), total);
     total.force += damped.force;
     total.moment += damped.moment;
     kick(body, total);
-    const Vec2 velocity = 0.5 * (before.velocity + body.velocity);
-    const double spin = 0.5 * (before.angular_velocity + body.angular_velocity);
-    work_.body_force += kick_time * body.mass * body_force_.dot(velocity);
-    work_.damping -= kick_time * (damped.force.dot(velocity) + damped.moment * spin);
+    const Vec2 velocity = 0.5 * (velocity_before + body.velocity);
+    const double spin = 0.5 * (spin_before + body.angular_velocity);
+    work.body_force += kick_time * body.mass * body_force_.dot(velocity);
+    work.damping -= kick_time * (damped.force.dot(velocity) + damped.moment * spin);
   }
 
   // Damping acts on the motion relative to a periodic cell's own, which is the same for all images.
@@ -100,9 +111,9 @@ class BodyStep {
     }
   }
 
-  void book_driven(const Body& body, double kick_time) const {
-    work_.boundary -= kick_time * (body.contact.force.dot(body.velocity) +
-                                   body.contact.moment * body.angular_velocity);
+  static void book_driven(const Body& body, double kick_time, BodyWork& work) {
+    work.boundary -= kick_time * (body.contact.force.dot(body.velocity) +
+                                  body.contact.moment * body.angular_velocity);
   }
 
   [[nodiscard]] static bool is_finite(const Body& body) {
@@ -114,7 +125,6 @@ class BodyStep {
   [[no_unique_address]] Plane plane_;
   Vec2 body_force_;
   double time_step_;
-  BodyWork& work_;
 };
 
 }  // namespace riprap

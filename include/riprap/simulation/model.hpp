@@ -14,6 +14,7 @@
 #include <riprap/contact/law/linear_spring_coulomb.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/core/errors.hpp>
+#include <riprap/core/execution/serial.hpp>
 #include <riprap/core/policy.hpp>
 #include <riprap/dynamics/boundary/strain_field.hpp>
 #include <riprap/dynamics/damping/local_damping.hpp>
@@ -83,12 +84,14 @@ BreakageModel(C, T, F, S, I, unsigned) -> BreakageModel<C, T, F, S, I>;
 ///
 ///     auto model = Model{}.criterion(MohrCoulomb{}).line_fit(WeightedX{});
 template <class ContactPart = ContactModel<>, class MotionPart = MotionModel<>,
-          class StressPart = StressModel<>, class BreakagePart = BreakageModel<>>
+          class StressPart = StressModel<>, class BreakagePart = BreakageModel<>,
+          Execution Executor = Serial>
 struct Model {
   ContactPart contact_model{};
   MotionPart motion_model{};
   StressPart stress_model{};
   BreakagePart breakage_model{};
+  Executor execution_policy{};
 
   /// How contacts turn geometry and motion into forces.
   template <class Law>
@@ -242,6 +245,15 @@ struct Model {
     else
       return *this;
   }
+  /// Who does the work: one thread or several. Changes no result.
+  template <class Chosen>
+  [[nodiscard]] auto execution(Chosen chosen) const {
+    if constexpr (check_execution<Chosen>())
+      return Model<ContactPart, MotionPart, StressPart, BreakagePart, Chosen>{
+          contact_model, motion_model, stress_model, breakage_model, std::move(chosen)};
+    else
+      return *this;
+  }
   /// Steps between two checks of every particle.
   [[nodiscard]] Model check_every(unsigned steps) const {
     Model copy = *this;
@@ -256,6 +268,7 @@ struct Model {
     all(motion_model.integrator, motion_model.damping, motion_model.time_step,
         motion_model.boundary);
     all(stress_model.mesher, stress_model.element, stress_model.plane_state, stress_model.support);
+    all(execution_policy);
     all(breakage_model.criterion, breakage_model.trigger, breakage_model.line_fit,
         breakage_model.splitter, breakage_model.inheritance);
     const double tensile_strength = breakage_model.criterion.tensile_strength();
@@ -268,23 +281,23 @@ struct Model {
  private:
   template <class Part>
   [[nodiscard]] auto with_contact(Part part) const {
-    return Model<Part, MotionPart, StressPart, BreakagePart>{std::move(part), motion_model,
-                                                             stress_model, breakage_model};
+    return Model<Part, MotionPart, StressPart, BreakagePart, Executor>{
+        std::move(part), motion_model, stress_model, breakage_model, execution_policy};
   }
   template <class Part>
   [[nodiscard]] auto with_motion(Part part) const {
-    return Model<ContactPart, Part, StressPart, BreakagePart>{contact_model, std::move(part),
-                                                              stress_model, breakage_model};
+    return Model<ContactPart, Part, StressPart, BreakagePart, Executor>{
+        contact_model, std::move(part), stress_model, breakage_model, execution_policy};
   }
   template <class Part>
   [[nodiscard]] auto with_stress(Part part) const {
-    return Model<ContactPart, MotionPart, Part, BreakagePart>{contact_model, motion_model,
-                                                              std::move(part), breakage_model};
+    return Model<ContactPart, MotionPart, Part, BreakagePart, Executor>{
+        contact_model, motion_model, std::move(part), breakage_model, execution_policy};
   }
   template <class Part>
   [[nodiscard]] auto with_breakage(Part part) const {
-    return Model<ContactPart, MotionPart, StressPart, Part>{contact_model, motion_model,
-                                                            stress_model, std::move(part)};
+    return Model<ContactPart, MotionPart, StressPart, Part, Executor>{
+        contact_model, motion_model, stress_model, std::move(part), execution_policy};
   }
 };
 

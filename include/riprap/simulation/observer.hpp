@@ -4,6 +4,8 @@
 
 #include <type_traits>
 
+#include <riprap/core/step_part.hpp>
+
 /// An observer is any object with some of the member functions named here; each is called with the
 /// simulation (const). A hook that an observer does not have costs nothing; one that it has, but
 /// that cannot be called so, is refused. Experiments add hooks of their own.
@@ -27,6 +29,15 @@ consteval void check_no_hook() {
                 "riprap: an observer has a hook that cannot be called with a const "
                 "reference to what hooks get (docs/policies/observer.md)");
 }
+
+/// What has passed since the last call was `part` of the step.
+inline constexpr auto lap = []<class O>(O& observer, StepPart part) {
+  if constexpr (requires { observer.lap(part); })
+    observer.lap(part);
+  else
+    check_no_hook<O, requires { requires IsFunction<&O::lap>; },
+                  requires(StepPart& other) { observer.lap(other); }>();
+};
 
 /// Bodies have moved, contacts are still those of the last step.
 inline constexpr auto before_forces = []<class O, class Sim>(O& observer, const Sim& sim) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <riprap/contact/contact_list.hpp>
+#include <riprap/core/execution/concepts.hpp>
 #include <riprap/particle/assembly.hpp>
 #include <riprap/particle/particles.hpp>
 #include <riprap/simulation/body_step.hpp>
@@ -77,7 +78,7 @@ class Simulation {
     if constexpr (requires { boundary().enclose(assembly, particles_); })
       boundary().enclose(assembly, particles_);
     if constexpr (Plane::periodic) contacts_.set_plane(boundary().plane());
-    contacts_.update(particles_, 0);
+    contacts_.update(particles_, 0, model_.execution_policy);
   }
 
   Simulation(const Simulation&) = delete;
@@ -88,21 +89,27 @@ class Simulation {
   /// One time step. Throws SimulationError, naming the particle, if its motion is no longer finite.
   template <class... Observers>
   void step(Observers&&... observers) {
+    const auto lap = [&]([[maybe_unused]] StepPart part) { (hooks::lap(observers, part), ...); };
+    lap(StepPart::elsewhere);
     boundary().drive(particles_.bodies(), time_step_);
     if constexpr (Plane::periodic) contacts_.set_plane(boundary().plane());
     advance_bodies();
+    lap(StepPart::integration);
     (hooks::before_forces(observers, *this), ...);
     if constexpr (Plane::periodic) {
       boundary().drift(time_step_);
       contacts_.set_plane(boundary().plane());
     }
-    contacts_.update(particles_, time_step_);
+    lap(StepPart::elsewhere);
+    contacts_.update(particles_, time_step_, model_.execution_policy, lap);
     (hooks::after_forces(observers, *this), ...);
+    lap(StepPart::elsewhere);
     finish_bodies();
+    lap(StepPart::integration);
     ++steps_;
     if constexpr (breakable)
       if (breakage_active_ && steps_ % model_.breakage_model.check_every == 0)
-        break_particles(observers...);
+        break_particles(lap, observers...);
     (hooks::after_step(observers, *this), ...);
   }
 
@@ -188,14 +195,15 @@ class Simulation {
   }
 
   [[nodiscard]] auto body_step() {
-    return BodyStep(model_.motion_model, contacts_.plane(), body_force_, time_step_, work_);
+    return BodyStep(model_.motion_model, contacts_.plane(), body_force_, time_step_);
   }
 
   // Forces of the present poses move the bodies to the next ones.
   void advance_bodies() {
     const auto step = body_step();
     work_.boundary += step.first_kick_time() * contacts_.image_power();
-    step.advance(particles_);
+    step_bodies(
+        [&](BodyIndex first, BodyIndex last) { return step.advance(particles_, first, last); });
     time_ += time_step_;
   }
 
@@ -204,26 +212,41 @@ class Simulation {
     if constexpr (decltype(body_step())::needs_finish) {
       const auto step = body_step();
       work_.boundary += step.second_kick_time() * contacts_.image_power();
-      step.finish(particles_);
+      step_bodies(
+          [&](BodyIndex first, BodyIndex last) { return step.finish(particles_, first, last); });
     }
+  }
+
+  // Books the work that `step(first, last)` returns, task by task.
+  template <class Step>
+  void step_bodies(Step&& step) {
+    task_work_.resize(task_count(particles_.size()));
+    for_each_task(model_.execution_policy, particles_.size(),
+                  [&](std::size_t task, std::size_t first, std::size_t last) {
+                    task_work_[task] =
+                        step(static_cast<BodyIndex>(first), static_cast<BodyIndex>(last));
+                  });
+    for (const BodyWork& work : task_work_) work_ += work;
   }
 
   // All cracks are found before the first particle splits, for splitting changes the contacts that
   // loaded the others.
-  template <class... Observers>
-  void break_particles(Observers&... observers) {
+  template <class Lap, class... Observers>
+  void break_particles(Lap&& lap, Observers&... observers) {
     const CrackSearch::Cracks& cracks =
         crack_search_.find(model_.breakage_model, particles_, contacts_, stress_, mean_area_);
+    lap(StepPart::stress_check);
     if (cracks.empty()) return;
     const std::size_t first = breaks_.size();
     (hooks::before_splits(observers, *this), ...);
     for (const auto& [i, crack] : cracks) split(i, crack);
     // Pieces meet their neighbours anew at the same poses. All other forces come out as they were,
     // but those of dashpots after a second kick, which has changed the velocities.
-    contacts_.update(particles_, 0);
+    contacts_.update(particles_, 0, model_.execution_policy);
     (hooks::after_splits(observers, *this), ...);
     for (std::size_t k = first; k < breaks_.size(); ++k)
       (hooks::on_break(observers, *this, breaks_[k]), ...);
+    lap(StepPart::splitting);
   }
 
   // The left piece takes the parent's place, the right one is new.
@@ -282,6 +305,7 @@ class Simulation {
   Vec2 body_force_{0, 0};
   bool breakage_active_ = true;
   BodyWork work_;
+  std::vector<BodyWork> task_work_;
   CrackSearch crack_search_;
   std::vector<BreakEvent> breaks_;
 };

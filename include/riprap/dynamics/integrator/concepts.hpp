@@ -102,9 +102,8 @@ inline void drift(Body& body, double time_step) {
 
 /// Changes a body's velocity by the impulse of a constant wrench.
 inline void kick(Body& body, const Wrench& wrench, double time_step) {
-  const double scaled = time_step / body.mass_scaling;
-  body.velocity += (scaled / body.mass) * wrench.force;
-  body.angular_velocity += (scaled / body.inertia) * wrench.moment;
+  body.velocity += (time_step / (body.mass_scaling * body.mass)) * wrench.force;
+  body.angular_velocity += (time_step / (body.mass_scaling * body.inertia)) * wrench.moment;
 }
 
 }  // namespace riprap

@@ -1,0 +1,59 @@
+#pragma once
+/// @file
+/// The role of execution: who does the parts of a step that do not depend on each other.
+
+#include <algorithm>
+#include <cstddef>
+
+#include <riprap/core/policy.hpp>
+
+namespace riprap {
+
+namespace clauses {
+
+/// Stands for the work of a step.
+struct ExecutedWork {
+  void operator()(std::size_t) const {}
+};
+
+/// `execution.run(tasks, work)` calls `work(k)` once for every k below `tasks`, in any order and
+/// maybe several at a time, and returns when all are done. Of exceptions that calls have thrown it
+/// throws on the one of the lowest k. Const: steps do not depend on those before them.
+template <class E>
+concept ExecutionRun =
+    requires(const E& execution, const std::size_t tasks) { execution.run(tasks, ExecutedWork{}); };
+
+}  // namespace clauses
+
+/// An `Execution` runs tasks that do not touch each other's results. What they are does not depend
+/// on it, nor does the order in which their sums are added up: results are the same to the last
+/// bit for every model.
+template <class E>
+concept Execution = Policy<E> && clauses::ExecutionRun<E>;
+
+template <class E>
+consteval bool check_execution() {
+  check_policy<E>();
+  static_assert(clauses::ExecutionRun<E>,
+                "riprap: an Execution must have template <class Work> void run(std::size_t tasks, "
+                "Work&&) const");
+  return Execution<E>;
+}
+
+/// Bodies that one task sees to: few enough to share out, enough for a task to be worth while.
+inline constexpr std::size_t task_size = 256;
+
+/// How many tasks `count` bodies make.
+[[nodiscard]] constexpr std::size_t task_count(std::size_t count) {
+  return (count + task_size - 1) / task_size;
+}
+
+/// Calls `work(task, first, last)` for every task of `count` bodies.
+template <Execution E, class Work>
+void for_each_task(const E& execution, std::size_t count, Work&& work) {
+  execution.run(task_count(count), [&](std::size_t task) {
+    work(task, task * task_size, std::min(count, (task + 1) * task_size));
+  });
+}
+
+}  // namespace riprap
