@@ -49,13 +49,18 @@ class NeighbourSearch {
   void visit_pairs(const Particles& particles, const Plane& plane, Visit&& visit) {
     enclose(particles, plane);
     if constexpr (Plane::periodic) add_images(particles, plane);
-    broad_.visit_pairs(std::span<const Box>(boxes_), [&](BodyIndex i, BodyIndex j) {
+    const auto visit_boxes = [&](BodyIndex i, BodyIndex j) {
       Image image{};
       if constexpr (Plane::periodic)
         if (!resolve_images(i, j, image, particles)) return;
       if (i > j) std::swap(i, j);
       if (particles.body(i).is_free() || particles.body(j).is_free()) visit(i, j, image);
-    });
+    };
+    const std::span<const Box> boxes(boxes_);
+    if constexpr (requires { typename Broad::Workspace; })
+      broad_.visit_pairs(boxes, workspace_, visit_boxes);
+    else
+      broad_.visit_pairs(boxes, visit_boxes);
   }
 
  private:
@@ -128,6 +133,7 @@ class NeighbourSearch {
   }
 
   Broad broad_;
+  [[no_unique_address]] typename clauses::WorkspaceOf<Broad>::type workspace_;
   std::vector<Box> boxes_;
   double skin_ = 0;
   Travel<Plane> travel_;

@@ -30,7 +30,18 @@ struct ChangesTheSpan : archetype::BroadPhase {
   void visit_pairs(std::span<const Box>&, auto&&) const {}
 };
 
+struct WithWorkspace : archetype::BroadPhase {
+  struct Workspace {};
+  using archetype::BroadPhase::visit_pairs;
+  void visit_pairs(std::span<const Box>, Workspace&, auto&&) const {}
+};
+struct WorkspaceForNothing : archetype::BroadPhase {
+  struct Workspace {};
+};
+
 static_assert(BroadPhase<archetype::BroadPhase>);
+static_assert(BroadPhase<WithWorkspace>);
+static_assert(!BroadPhase<WorkspaceForNothing>);
 static_assert(!BroadPhase<WithoutSkin>);
 static_assert(!BroadPhase<WithoutPairs>);
 static_assert(!BroadPhase<ChangesItself>);

@@ -45,11 +45,33 @@ concept BroadPhaseVisit = requires(const B& broad, const std::span<const Box> bo
   broad.visit_pairs(boxes, PairVisitor{});
 };
 
+/// Optional: a type `B::Workspace` with `broad.visit_pairs(boxes, workspace, visit)`, which is then
+/// called instead: memory that is kept from search to search and means nothing. Without that call
+/// the type would be passed over in silence.
+template <class B>
+concept BroadPhaseWorkspace = !requires {
+  typename B::Workspace;
+} || requires(const B& broad, const std::span<const Box> boxes, typename B::Workspace& workspace) {
+  broad.visit_pairs(boxes, workspace, PairVisitor{});
+};
+
+/// The memory that a broad phase keeps; none, if it does not say.
+template <class B>
+struct WorkspaceOf {
+  struct type {};
+};
+template <class B>
+  requires requires { typename B::Workspace; }
+struct WorkspaceOf<B> {
+  using type = typename B::Workspace;
+};
+
 }  // namespace clauses
 
 /// A `BroadPhase` finds the pairs whose boxes meet.
 template <class B>
-concept BroadPhase = Policy<B> && clauses::BroadPhaseSkin<B> && clauses::BroadPhaseVisit<B>;
+concept BroadPhase = Policy<B> && clauses::BroadPhaseSkin<B> && clauses::BroadPhaseVisit<B> &&
+                     clauses::BroadPhaseWorkspace<B>;
 
 template <class B>
 consteval bool check_broad_phase() {
@@ -58,6 +80,9 @@ consteval bool check_broad_phase() {
   static_assert(clauses::BroadPhaseVisit<B>,
                 "riprap: a BroadPhase must have template <class Visit> void "
                 "visit_pairs(std::span<const Box>, Visit&&) const");
+  static_assert(clauses::BroadPhaseWorkspace<B>,
+                "riprap: a BroadPhase with a type Workspace must have template <class Visit> void "
+                "visit_pairs(std::span<const Box>, Workspace&, Visit&&) const");
   return BroadPhase<B>;
 }
 

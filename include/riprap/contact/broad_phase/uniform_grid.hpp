@@ -19,16 +19,30 @@ namespace riprap {
 struct UniformGrid {
   double relative_skin = 0.1;  ///< over the mean diameter [-]
 
+  /// Lists of a search; kept, so that the next one does not allocate.
+  struct Workspace {
+    std::vector<std::uint32_t> starts;
+    std::vector<std::uint32_t> filled;
+    std::vector<BodyIndex> members;
+  };
+
   template <class Visit>
   void visit_pairs(std::span<const Box> boxes, Visit&& visit) const {
+    Workspace workspace;
+    visit_pairs(boxes, workspace, visit);
+  }
+
+  template <class Visit>
+  void visit_pairs(std::span<const Box> boxes, Workspace& workspace, Visit&& visit) const {
     if (boxes.size() < 2) return;
     const Layout grid = layout(boxes);
-    std::vector<std::uint32_t> starts(grid.columns * grid.rows + 1, 0);
+    auto& [starts, filled, members] = workspace;
+    starts.assign(grid.columns * grid.rows + 1, 0);
     for (const Box& box : boxes)
       grid.visit_cells(box, [&](std::size_t cell) { ++starts[cell + 1]; });
     for (std::size_t c = 1; c < starts.size(); ++c) starts[c] += starts[c - 1];
-    std::vector<BodyIndex> members(starts.back());
-    std::vector<std::uint32_t> filled(starts.begin(), starts.end() - 1);
+    members.resize(starts.back());
+    filled.assign(starts.begin(), starts.end() - 1);
     for (std::size_t i = 0; i < boxes.size(); ++i)
       grid.visit_cells(
           boxes[i], [&](std::size_t cell) { members[filled[cell]++] = static_cast<BodyIndex>(i); });

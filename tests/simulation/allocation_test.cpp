@@ -1,0 +1,51 @@
+// A warm step does not touch the allocator. Counts every allocation of this executable.
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include <riprap/particle/random_assembly.hpp>
+#include <riprap/simulation/simulation.hpp>
+
+namespace {
+
+std::size_t allocations = 0;  // of this thread, the only one
+
+void* counted(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size); }
+void* operator new[](std::size_t size) { return counted(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+using namespace riprap;
+
+TEST_CASE("a thousand warm steps allocate nothing, new lists of neighbours included") {
+  Simulation sim{Model{}, random_assembly({.count = 200, .seed = 5}), Rock{}};
+  sim.set_breakage(false);
+  // Loose bodies that are pushed together meet new neighbours all the time.
+  sim.boundary().set_rate(2, 2);
+  const auto pairs = [&] { return sim.contacts().pairs().size(); };
+  std::size_t most_pairs = 0;
+  for (int k = 0; k < 20'000 && most_pairs < 500; ++k) {
+    sim.step();
+    most_pairs = std::max(most_pairs, pairs());
+  }
+  // Back, and at it again: all lists have had their longest.
+  sim.boundary().set_rate(-2, -2);
+  for (int k = 0; k < 2000; ++k) sim.step();
+  const std::size_t before = allocations;
+  const std::size_t pairs_before = pairs();
+  for (int k = 0; k < 1000; ++k) sim.step();
+  CHECK(allocations == before);
+  CHECK(pairs() != pairs_before);  // there were new lists
+}
