@@ -119,6 +119,10 @@ template <NarrowPhase N>
     const auto remembering = narrow(pair.a.ring(), pair.b.ring(), memory);
     internal::check_same_contact("memory never changes the answer", remembering,
                                  internal::meet(narrow, pair.a, pair.b), 0, 0, check);
+    if constexpr (requires { narrow.clearance(memory); })
+      if (!remembering)
+        check.at_most("the clearance is no more than the distance of the rings [m]",
+                      narrow.clearance(memory), -pair.overlap + 1e-12 * size);
   }
   return std::move(check).violations();
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -15,6 +16,7 @@
 #include <riprap/geometry/random_polygon.hpp>
 #include <riprap/geometry/separation.hpp>
 #include <riprap/particle/assembly.hpp>
+#include <riprap/particle/spatial_order.hpp>
 
 namespace riprap {
 
@@ -118,6 +120,7 @@ void place_at_random(RandomPolygons& made, Assembly& assembly, DrawCentre&& draw
   std::stable_sort(made.polygons.begin(), made.polygons.end(), [](const auto& a, const auto& b) {
     return area_properties(a.ring()).area > area_properties(b.ring()).area;
   });
+  const std::size_t first = assembly.particles.size();
   // The grid points into the list, which must not move.
   assembly.particles.reserve(assembly.particles.size() + made.polygons.size());
   PlacementGrid grid(2 * made.farthest);
@@ -140,6 +143,7 @@ void place_at_random(RandomPolygons& made, Assembly& assembly, DrawCentre&& draw
       break;
     }
   }
+  sort_in_space(std::span(assembly.particles).subspan(first));
 }
 
 }  // namespace internal

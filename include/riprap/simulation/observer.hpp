@@ -30,13 +30,19 @@ consteval void check_no_hook() {
                 "reference to what hooks get (docs/policies/observer.md)");
 }
 
+/// Whether an observer measures time.
+template <class O>
+inline constexpr bool has_lap = [] {
+  constexpr bool callable = requires(O& observer, const StepPart part) { observer.lap(part); };
+  if constexpr (!callable)
+    check_no_hook<O, requires { requires IsFunction<&O::lap>; },
+                  requires(O& observer, StepPart& other) { observer.lap(other); }>();
+  return callable;
+}();
+
 /// What has passed since the last call was `part` of the step.
 inline constexpr auto lap = []<class O>(O& observer, StepPart part) {
-  if constexpr (requires { observer.lap(part); })
-    observer.lap(part);
-  else
-    check_no_hook<O, requires { requires IsFunction<&O::lap>; },
-                  requires(StepPart& other) { observer.lap(other); }>();
+  if constexpr (has_lap<O>) observer.lap(part);
 };
 
 /// Bodies have moved, contacts are still those of the last step.

@@ -29,11 +29,22 @@ concept NarrowPhaseCall =
       { narrow(a, b, memory) } -> std::convertible_to<std::optional<ContactGeometry>>;
     };
 
+/// Optional: `narrow.clearance(memory)` [m]: how far apart the rings were, at least, when the last
+/// call found no contact. Until bodies have moved so far a pair is not asked again. Not const, it
+/// would be passed over in silence.
+template <class N>
+concept NarrowPhaseClearance = !requires(N& narrow, typename N::Memory& memory) {
+  narrow.clearance(memory);
+} || requires(const N& narrow, const typename N::Memory& memory) {
+  { narrow.clearance(memory) } -> std::convertible_to<double>;
+};
+
 }  // namespace clauses
 
 /// A `NarrowPhase` turns two placed rings into contact geometry.
 template <class N>
-concept NarrowPhase = Policy<N> && clauses::NarrowPhaseMemory<N> && clauses::NarrowPhaseCall<N>;
+concept NarrowPhase = Policy<N> && clauses::NarrowPhaseMemory<N> && clauses::NarrowPhaseCall<N> &&
+                      clauses::NarrowPhaseClearance<N>;
 
 template <class N>
 consteval bool check_narrow_phase() {
@@ -45,6 +56,9 @@ consteval bool check_narrow_phase() {
     static_assert(clauses::NarrowPhaseCall<N>,
                   "riprap: a NarrowPhase must have std::optional<ContactGeometry> operator()(Ring, "
                   "Ring, Memory&) const");
+    static_assert(
+        clauses::NarrowPhaseClearance<N>,
+        "riprap: clearance of a NarrowPhase must be double clearance(const Memory&) const");
   }
   return NarrowPhase<N>;
 }

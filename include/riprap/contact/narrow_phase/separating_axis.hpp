@@ -26,6 +26,7 @@ struct SeparatingAxis {
 
   [[nodiscard]] std::optional<ContactGeometry> operator()(Ring a, Ring b, Memory& memory) const {
     if (separated(a, b, memory)) return std::nullopt;
+    memory.gap = 0;
     // Of equal depths the first is taken: rings in an order of their own may be swapped.
     const bool swapped = comes_first(b, a);
     if (swapped) std::swap(a, b);
@@ -37,6 +38,9 @@ struct SeparatingAxis {
     if (swapped) contact.normal = -contact.normal;
     return contact;
   }
+
+  /// Of the last call that found an edge between the rings; else nothing is known [m].
+  [[nodiscard]] double clearance(const Memory& memory) const { return memory.gap; }
 
  private:
   [[nodiscard]] static bool comes_first(Ring a, Ring b) {
