@@ -287,8 +287,13 @@ TEST_CASE("a memory of another pair's edge does no harm") {
   const ConvexPolygon b = tip_down({0, 0.4}, 1, 1);
   using Memory = OverlapChord::Memory;
   for (const auto state :
-       {Memory::State::apart, Memory::State::one_edge, Memory::State::entangled}) {
-    Memory memory{.edge = {.of_b = true, .edge = 63}, .state = state};
+       {Memory::State::apart, Memory::State::cap, Memory::State::lens, Memory::State::entangled}) {
+    Memory memory{.state = state,
+                  .separating = {.of_b = true, .edge = 63},
+                  .of_b = true,
+                  .entry = {.edge = 63, .first = 63},
+                  .corner_a = 63,
+                  .corner_b = 63};
     CHECK(OverlapChord{}(a.ring(), b.ring(), memory));
   }
 }

@@ -4,8 +4,12 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <utility>
 
+#include <riprap/geometry/edge_cap.hpp>
+#include <riprap/geometry/line_side.hpp>
 #include <riprap/geometry/overlap.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
 
@@ -22,15 +26,41 @@ struct CommonPart {
 
   [[nodiscard]] bool empty() const { return polygon.size == 0; }
 
-  /// The edge through which one ring enters the other, if it is the only one of its ring that
-  /// bounds the common part.
-  [[nodiscard]] std::optional<EdgeSource> only_edge_of_one() const {
-    std::size_t of_b = 0;
-    for (std::size_t i = 0; i < polygon.size; ++i) of_b += polygon.sources[i].of_b;
-    if (polygon.size < 3 || (of_b != 1 && polygon.size - of_b != 1)) return std::nullopt;
+  /// Where one ring enters the other through a single edge, if it does so with one or two vertices.
+  struct Entry {
+    bool of_b = false;  ///< whose edge it is
+    EntryPlace place;
+  };
+  [[nodiscard]] std::optional<Entry> entry(std::size_t vertices_of_a,
+                                           std::size_t vertices_of_b) const {
+    if (polygon.size != 3 && polygon.size != 4) return std::nullopt;
+    const std::size_t of_b = edges_of_b();
+    if (of_b != 1 && polygon.size - of_b != 1) return std::nullopt;
     std::size_t i = 0;
     while (polygon.sources[i].of_b != (of_b == 1)) ++i;
-    return polygon.sources[i];
+    // Going round, the edges of the other ring follow.
+    const EdgeSource going_in = polygon.sources[next_vertex(i, polygon.size)];
+    const std::size_t first = next_vertex(going_in.edge, of_b == 1 ? vertices_of_a : vertices_of_b);
+    return Entry{of_b == 1,
+                 {polygon.sources[i].edge, static_cast<std::uint8_t>(first),
+                  static_cast<std::uint8_t>(polygon.size - 2)}};
+  }
+
+  /// The vertices of a and b that lie in the other, if it is one of each.
+  [[nodiscard]] std::optional<std::pair<std::uint8_t, std::uint8_t>> corners() const {
+    if (polygon.size != 4 || edges_of_b() != 2) return std::nullopt;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto source = [&](std::size_t k) { return polygon.sources[(i + k) % 4]; };
+      if (!source(0).of_b && !source(1).of_b) return std::pair(source(1).edge, source(3).edge);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] std::size_t edges_of_b() const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < polygon.size; ++i) count += polygon.sources[i].of_b;
+    return count;
   }
 };
 
@@ -39,7 +69,9 @@ struct CommonPart {
   const Vec2 across = a[a.size() / 2] - a[0];
   const double size = std::sqrt(across.dot(across));
   constexpr double negligible = CommonPart::negligible;
-  CommonPart part{overlap(a, b, a[0], negligible * size), 0, size};
+  CommonPart part;
+  part.size = size;
+  part.polygon = overlap(a, b, a[0], negligible * size);
   part.area = polygon_area(part.polygon.ring());
   // A corner's overlap shrinks with the square of its depth, so this is a squared length.
   if (part.area <= negligible * size * negligible * size) part.polygon.size = 0;

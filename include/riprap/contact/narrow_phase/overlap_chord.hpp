@@ -10,6 +10,7 @@
 #include <riprap/contact/narrow_phase/concepts.hpp>
 #include <riprap/contact/narrow_phase/contact_line.hpp>
 #include <riprap/contact/narrow_phase/least_translation_contact.hpp>
+#include <riprap/geometry/corner_lens.hpp>
 #include <riprap/geometry/edge_cap.hpp>
 #include <riprap/geometry/separation.hpp>
 
@@ -22,70 +23,103 @@ namespace riprap {
 /// Elsewhere (containment, flush edges, more crossings) normal and depth come from the minimum
 /// translation and the point is the overlap's centroid.
 struct OverlapChord {
-  /// How the two lay last time, and the edge that told.
+  /// How the two lay last time.
   struct Memory {
     enum class State : std::uint8_t {
-      apart,     ///< the edge parts them
-      one_edge,  ///< one has entered the other through this edge alone
-      entangled  ///< no single edge tells: clip
+      apart,     ///< an edge parts them
+      cap,       ///< one has entered the other through a single edge
+      lens,      ///< a corner of each is in the other
+      entangled  ///< anything else
     };
-    SeparatingEdge edge;
     State state = State::apart;
+    SeparatingEdge separating;  ///< apart
+    bool of_b = false;          ///< cap: whose edge
+    EntryPlace entry;           ///< cap
+    std::uint8_t corner_a = 0;  ///< lens
+    std::uint8_t corner_b = 0;  ///< lens
   };
 
   [[nodiscard]] std::optional<ContactGeometry> operator()(Ring a, Ring b, Memory& memory) const {
-    const Ring ring = memory.edge.of_b ? b : a;
-    const std::size_t i = memory.edge.edge;
-    if (memory.state != Memory::State::entangled && i < ring.size()) {
-      const EdgeSide side = edge_side(ring, i, memory.edge.of_b ? a : b);
-      if (side.deepest < 0) {
-        memory = {{memory.edge.of_b, memory.edge.edge, -side.depth(ring, i)}, Memory::State::apart};
-        return std::nullopt;
-      }
-      if (const auto contact = through_edge(a, b, memory.edge, side)) {
-        memory.state = Memory::State::one_edge;
-        return contact;
-      }
-    }
-    if (memory.state == Memory::State::apart && find_separating_edge(a, b, memory.edge))
+    if (memory.state == Memory::State::cap) {
+      if (auto contact = at_cap(a, b, memory.of_b, memory.entry)) return contact;
+    } else if (memory.state == Memory::State::lens) {
+      if (auto contact = at_lens(a, b, memory.corner_a, memory.corner_b)) return contact;
+    } else if (memory.state == Memory::State::apart && separated(a, b, memory.separating)) {
       return std::nullopt;
+    }
     return by_clipping(a, b, memory);
   }
 
   /// How far apart the rings were at least when they last had no contact [m].
-  [[nodiscard]] double clearance(const Memory& memory) const { return memory.edge.gap; }
+  [[nodiscard]] double clearance(const Memory& memory) const { return memory.separating.gap; }
 
  private:
-  // The contact of a cap. Knowing the edge, it costs a fifth of clipping.
-  [[nodiscard]] static std::optional<ContactGeometry>
-  through_edge(Ring a, Ring b, const SeparatingEdge& edge, const EdgeSide& side) {
+  // Far above round-off: clipping would see the same crossings, so that the answer does not depend
+  // on who gives it.
+  [[nodiscard]] static double margin(Ring a, Ring b) {
     const auto across = [](Ring ring) {
-      return (ring[ring.size() / 2] - ring[0]).cwiseAbs().sum();
+      const Vec2& p = ring[0];
+      const Vec2& q = ring[ring.size() / 2];
+      return std::abs(p.x() - q.x()) + std::abs(p.y() - q.y());
     };
-    // Far above round-off: clipping would see the same crossings, so that the answer does not
-    // depend on who gives it.
-    const double margin = 1e-8 * (across(a) + across(b));
-    const auto cap = edge_cap(edge.of_b ? b : a, edge.edge, edge.of_b ? a : b, side, margin);
-    if (!cap) return std::nullopt;
-    return ContactGeometry{.normal = edge.of_b ? Vec2(-cap->normal) : cap->normal,
-                           .point = 0.5 * (cap->entry + cap->exit),
-                           .depth = std::min(cap->depth, 2 * cap->area / cap->chord),
-                           .area = cap->area,
-                           .chord = cap->chord};
+    return 1e-8 * (across(a) + across(b));
   }
 
+  [[nodiscard]] static std::optional<ContactGeometry> at_cap(Ring a, Ring b, bool of_b,
+                                                             const EntryPlace& entry) {
+    const Ring ring = of_b ? b : a;
+    const Ring other = of_b ? a : b;
+    if (entry.edge >= ring.size() || entry.first >= other.size()) return std::nullopt;
+    const auto cap = edge_cap(ring, other, entry, margin(a, b));
+    if (!cap) return std::nullopt;
+    const double sign = of_b ? -1 : 1;
+    return ContactGeometry{
+        .normal = {sign * cap->normal.x(), sign * cap->normal.y()},
+        .point = {0.5 * (cap->entry.x() + cap->exit.x()), 0.5 * (cap->entry.y() + cap->exit.y())},
+        .depth = entry.count == 1 ? cap->depth : std::min(cap->depth, 2 * cap->area / cap->chord),
+        .area = cap->area,
+        .chord = cap->chord};
+  }
+
+  [[nodiscard]] static std::optional<ContactGeometry> at_lens(Ring a, Ring b, std::size_t corner_a,
+                                                              std::size_t corner_b) {
+    if (corner_a >= a.size() || corner_b >= b.size()) return std::nullopt;
+    const auto lens = corner_lens(a, corner_a, b, corner_b, margin(a, b));
+    if (!lens) return std::nullopt;
+    const double x = lens->leaves_a.x() - lens->enters_a.x();
+    const double y = lens->leaves_a.y() - lens->enters_a.y();
+    const double chord = std::sqrt(x * x + y * y);
+    const double scale = 1 / chord;
+    // Of a quadrangle over its diagonal the extent is twice the area over it.
+    return ContactGeometry{.normal = {y * scale, -x * scale},
+                           .point = 0.5 * (lens->leaves_a + lens->enters_a),
+                           .depth = 2 * lens->area * scale,
+                           .area = lens->area,
+                           .chord = chord};
+  }
+
+  // The long way, which finds where the two have each other.
   [[nodiscard]] static std::optional<ContactGeometry> by_clipping(Ring a, Ring b, Memory& memory) {
     const CommonPart common = common_part(a, b);
     // Where rings barely meet, round-off must not decide between clipping and a separating edge.
     if (common.area <= 1e-9 * common.size * common.size) {
-      memory = {{memory.edge.of_b, memory.edge.edge, 0}, Memory::State::apart};
-      if (find_separating_edge(a, b, memory.edge) || common.empty()) return std::nullopt;
+      memory.state = Memory::State::apart;
+      memory.separating.gap = 0;
+      if (find_separating_edge(a, b, memory.separating) || common.empty()) return std::nullopt;
     }
-    if (const auto edge = common.only_edge_of_one()) {
-      const SeparatingEdge entered{edge->of_b, edge->edge, 0};
-      const EdgeSide side = edge->of_b ? edge_side(b, edge->edge, a) : edge_side(a, edge->edge, b);
-      if (const auto contact = through_edge(a, b, entered, side)) {
-        memory = {entered, Memory::State::one_edge};
+    if (const auto entry = common.entry(a.size(), b.size())) {
+      if (auto contact = at_cap(a, b, entry->of_b, entry->place)) {
+        memory.state = Memory::State::cap;
+        memory.of_b = entry->of_b;
+        memory.entry = entry->place;
+        return contact;
+      }
+    }
+    if (const auto corners = common.corners()) {
+      if (auto contact = at_lens(a, b, corners->first, corners->second)) {
+        memory.state = Memory::State::lens;
+        memory.corner_a = corners->first;
+        memory.corner_b = corners->second;
         return contact;
       }
     }
