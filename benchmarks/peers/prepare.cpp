@@ -1,0 +1,81 @@
+// prepare KIND N FILE  makes a packing for the comparison.
+//   polygons   of 5 to 8 corners, in shear
+//   discs      the same with regular polygons of 24 corners in place of discs
+//   breakable  riprap's default, sharp polygons, under pressure, not yet sheared
+
+#include <exception>
+#include <iostream>
+
+#include <riprap/breakage/criterion/never_fails.hpp>
+#include <riprap/particle/random_assembly.hpp>
+
+#include "sheared.hpp"
+
+namespace peers {
+namespace {
+
+// [Pa]. Those that give a sheared sample of each kind about four contacts a grain.
+[[nodiscard]] double pressure_of(const std::string& kind) {
+  return kind == "polygons" ? 8e6 : kind == "discs" ? 14e6 : 2e6;
+}
+
+[[nodiscard]] RandomAssembly sample(const std::string& kind, unsigned count) {
+  RandomAssembly options{.count = count, .solid_fraction = 0.5};
+  if (kind == "breakable") return options;
+  options.shape = {.fewest_vertices = 5, .most_vertices = 8};
+  if (kind == "discs")
+    options.shape = {.fewest_vertices = 24,
+                     .most_vertices = 24,
+                     .smallest_axis_ratio = 1,
+                     .largest_axis_ratio = 1,
+                     .angle_jitter = 0};
+  return options;
+}
+
+[[nodiscard]] Packing prepare(const std::string& kind, unsigned count) {
+  const RandomAssembly options = sample(kind, count);
+  const double pressure = pressure_of(kind);
+  Simulation sim{Model{}.criterion(NeverFails{}), random_assembly(options), Rock{}};
+  const BiaxialTest test{.confining_pressure = pressure,
+                         .axial_strain = kind == "breakable" ? 0 : 0.004,
+                         .compaction_inertial_number = 8e-3,
+                         .rest_unbalanced_force = 0.05};
+  const double axial_rate = test.run(sim).axial_rate;
+
+  Packing packing{.mean_diameter = options.mean_diameter,
+                  .thickness = options.thickness,
+                  .density = sim.rock().density,
+                  .stiffness = sim.contact_law().normal_stiffness,
+                  .friction = sim.contact_law().friction,
+                  .time_step = sim.time_step(),
+                  .pressure = pressure,
+                  .axial_rate = axial_rate};
+  if (kind != "breakable") {
+    // On in shear, to find how fast it widens.
+    constexpr int steps = 1000;
+    Shear shear(pressure, axial_rate, options.thickness);
+    for (int i = 0; i < steps; ++i) {
+      packing.lateral_rate += shear.steer(sim, sim.time_step()) / steps;
+      sim.step();
+    }
+  }
+  packing.coordination = coordination(sim.contacts(), sim.particles()).coordination_number;
+  packing.grains = grains(sim);
+  const StateNumbers state = state_numbers(sim.contacts(), sim.particles());
+  std::cerr << kind << ' ' << count << ": " << packing.coordination << " contacts a grain, overlap "
+            << 100 * state.mean_overlap / packing.mean_diameter << " % of the size, " << sim.steps()
+            << " steps, widens by " << -packing.lateral_rate / axial_rate << " of the shortening\n";
+  return packing;
+}
+
+}  // namespace
+}  // namespace peers
+
+int main(int count, char** arguments) try {
+  if (count != 4) throw std::runtime_error("prepare KIND N FILE");
+  const auto grains = static_cast<unsigned>(std::stoul(arguments[2]));
+  peers::write(peers::prepare(arguments[1], grains), arguments[3]);
+} catch (const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return 1;
+}
