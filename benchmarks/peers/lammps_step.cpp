@@ -116,7 +116,7 @@ void write_input(const Packing& packing, bool discs, const std::string& folder) 
   out << "fix field ring nve/noforce\nfix flat all enforce2d\n"
       << "timestep " << packing.time_step << "\nthermo 1000000\n"
       << "run " << (discs ? 1000 : 200) << "\nrun "
-      << (discs || packing.grains.size() < 2000 ? 2000 : 400)
+      << (discs || packing.grains.size() < 2000 ? 2000 : 300)
       << '\n'
       // What it leaves, in a run without steps.
       << (discs ? "dump end all custom 1 end id x y radius\n"

@@ -1,5 +1,5 @@
-// riprap_checks PACKING PRESSURE  times what all checking of stress costs in the shear stage of a
-// biaxial test at a pressure [Pa].
+// riprap_checks PACKING PRESSURE STRAIN  times what all checking of stress costs in the shear stage
+// of a biaxial test at a pressure [Pa], up to an axial strain.
 
 #include <cstdint>
 #include <exception>
@@ -10,8 +10,6 @@
 
 namespace peers {
 namespace {
-
-constexpr double axial_strain = 0.03;
 
 // An observer: CPU time and particle-steps of shear.
 struct ShearClock {
@@ -41,7 +39,8 @@ struct Checking {
 
 // The same test with breakage and without; the difference is what breakage costs: checks, operators
 // for new pieces, splits and the contacts of the pieces.
-[[nodiscard]] Checking cost_of_checking(const Packing& packing, double pressure) {
+[[nodiscard]] Checking cost_of_checking(const Packing& packing, double pressure,
+                                        double axial_strain) {
   const BiaxialTest test{
       .confining_pressure = pressure, .axial_strain = axial_strain, .rest_unbalanced_force = 0.05};
   Checking checking;
@@ -60,11 +59,13 @@ struct Checking {
 }  // namespace peers
 
 int main(int count, char** arguments) try {
-  if (count != 3) throw std::runtime_error("riprap_checks PACKING PRESSURE");
+  if (count != 4) throw std::runtime_error("riprap_checks PACKING PRESSURE STRAIN");
+  const double axial_strain = std::stod(arguments[3]);
   const peers::Checking checking =
-      peers::cost_of_checking(peers::read(arguments[1]), std::stod(arguments[2]));
-  peers::print_result("riprap " RIPRAP_FLAGS,
-                      {{"ns", checking.ns}, {"breaks", static_cast<double>(checking.breaks)}});
+      peers::cost_of_checking(peers::read(arguments[1]), std::stod(arguments[2]), axial_strain);
+  peers::print_result("riprap " RIPRAP_FLAGS, {{"ns", checking.ns},
+                                               {"breaks", static_cast<double>(checking.breaks)},
+                                               {"strain", axial_strain}});
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';
   return 1;

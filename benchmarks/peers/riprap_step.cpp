@@ -13,13 +13,13 @@ int main(int count, char** arguments) try {
   if (count != 2) throw std::runtime_error("riprap_step PACKING");
   const Packing packing = read(arguments[1]);
   Simulation sim{Model{}.criterion(NeverFails{}), assembly(packing), Rock{}};
-  Shear shear(packing.pressure, packing.axial_rate, packing.thickness);
+  Shear shear(sim, packing.pressure, packing.axial_rate);
   sim.boundary().set_rate(packing.lateral_rate, packing.axial_rate);
   const auto step = [&] { sim.step(); };
   const auto steer = [&](int steps) { shear.steer(sim, steps * sim.time_step()); };
   const std::size_t grains = sim.particles().size();
-  (void)time_steps(500, grains, step, steer);
-  const double ns = time_steps(2000, grains, step, steer);
+  (void)time_steps(200, grains, step, steer);
+  const double ns = time_steps(grains < 2000 ? 2000 : 600, grains, step, steer);
   print_result("riprap " RIPRAP_FLAGS,
                {{"ns", ns},
                 {"coordination", coordination(sim.contacts(), sim.particles()).coordination_number},

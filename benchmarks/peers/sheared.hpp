@@ -40,9 +40,10 @@ template <class Sim>
 // Shortens axis 2 at a constant rate and holds the stress along axis 1, as in the test.
 class Shear {
  public:
-  Shear(double pressure, double axial_rate, double size)
+  template <class Sim>
+  Shear(const Sim& sim, double pressure, double axial_rate)
       : pressure_(pressure), axial_rate_(axial_rate),
-        servo_(0.5 * LinearSpringCoulomb{}.normal_stiffness / size, 4e-4, 10 * axial_rate) {}
+        servo_(stiffness(sim), response(sim), 10 * axial_rate) {}
 
   // After `time` [s]; returns the rate along axis 1.
   template <class Sim>
@@ -55,6 +56,17 @@ class Shear {
   }
 
  private:
+  template <class Sim>
+  [[nodiscard]] static double stiffness(const Sim& sim) {
+    return 0.5 * sim.contacts().law().peak_stiffness() / sim.particles().thickness();
+  }
+  // The time of a pressure wave.
+  template <class Sim>
+  [[nodiscard]] static double response(const Sim& sim) {
+    const double reach = sim.boundary().region(sim.particles()).semi_axes().maxCoeff();
+    return reach * std::sqrt(sim.rock().density / stiffness(sim));
+  }
+
   double pressure_;
   double axial_rate_;
   PressureServo servo_;
