@@ -89,30 +89,38 @@ struct Row {
 
 // Whatever differs between the codes, beside what the table says itself.
 constexpr const char* notes[] = {
-    "N counts all grains, those of the ring too. CPU time of the stepping alone; median, best and "
-    "worst round; ratios are medians of the ratios within a round.",
-    "Per step is not per simulated time: riprap and LAMMPS take the step that springs of 2e7 N/m "
-    "ask for, Box2D and Chipmunk 1/60 s with 1e-5 of axial strain.",
-    "Contact models: riprap and LAMMPS discs linear springs with tangential history and Coulomb "
-    "slip; LAMMPS polygons springs at up to two corners, without history, and their mu does not "
-    "act as tangential friction; Box2D (8 velocity, 3 position iterations) and Chipmunk (10) "
-    "impulses between rigid bodies, which hold no prescribed stiffness or pressure.",
-    "Damping: riprap local damping 0.7; LAMMPS dashpots of 0.3 critical in the contacts; the "
+    "N counts all grains, those of the ring too. CPU time of the stepping alone; ratios are the "
+    "medians of the ratios within a round.",
+
+    "Steps are not equal: riprap and LAMMPS take the one that springs of 2e7 N/m ask for, Box2D "
+    "and Chipmunk 1/60 s with 1e-5 of axial strain in it.",
+
+    "Contact models: riprap and LAMMPS discs have linear springs with tangential history and "
+    "Coulomb slip. LAMMPS polygons have springs at corners near an edge, without history, and its "
+    "mu does not act as tangential friction. Box2D (8 velocity and 3 position iterations) and "
+    "Chipmunk (10) exchange impulses between rigid bodies and can hold no prescribed stiffness.",
+
+    "Damping: riprap local damping of 0.7, LAMMPS dashpots of 0.3 critical in the contacts, the "
     "engines no restitution.",
-    "Shapes: all polygons from one packing of 5 to 8 corners (at most 8 in Box2D). LAMMPS rounds "
-    "the corners with 0.02 of the mean size, Box2D has a skin of 0.01 of it; both are inside the "
-    "outline. Discs: own packing, made the same way, sizes of the same distribution.",
-    "Ring: driven by the strain field in all; riprap's servo holds the stress along axis 1 between "
-    "timed "
-    "steps, LAMMPS keeps riprap's mean rates, the engines widen so that the number of contacts "
-    "stays riprap's.",
-    "Contacts a grain: riprap, LAMMPS: overlapping pairs; Box2D, Chipmunk: pairs with an impulse. "
-    "Overlap is the mean depth over the mean size.",
-    "Precision: double, Box2D single. Builds: riprap from source with the flags in its name; the "
-    "others as their packages were built.",
-    "Checking: a biaxial test of 500 sharp grains (3 to 5 corners); time per "
-    "particle-step of shear with breakage minus that without: checks, operators of new pieces, "
-    "splits, and the contacts that pieces add."};
+
+    "Shapes: one packing of polygons with 5 to 8 corners for all (Box2D takes no more than 8); "
+    "LAMMPS rounds corners with 0.02 of the mean size and Box2D has a skin of 0.01 of it, both "
+    "inside the outline. Discs have a packing of their own, made in the same way from the same "
+    "distribution of sizes.",
+
+    "Confinement: the ring follows the strain field in all codes. riprap holds the stress along "
+    "axis 1 at 5 MPa; LAMMPS keeps riprap's mean rates (discs are at 14 MPa to have as many "
+    "contacts); the engines widen so that contacts stay as many as in riprap.",
+
+    "Contacts are those of a free grain: overlapping pairs in riprap and LAMMPS, pairs with an "
+    "impulse in the engines. Overlap is the mean depth over the mean size.",
+
+    "Precision is double, in Box2D single. riprap is built with the flags in its name and "
+    "-ffp-contract=off, the others as their packages were: Debian's Chipmunk has its assertions "
+    "on, and LAMMPS runs as one process with one thread.",
+
+    "Checking: sharp grains (3 to 5 corners). Time per particle-step of shear with breakage minus "
+    "that without: checks, operators of new pieces, splits, and the contacts that pieces add."};
 
 [[nodiscard]] std::string processor() {
   std::ifstream in("/proc/cpuinfo");
