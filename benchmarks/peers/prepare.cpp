@@ -5,6 +5,7 @@
 
 #include <exception>
 #include <iostream>
+#include <utility>
 
 #include <riprap/breakage/criterion/never_fails.hpp>
 #include <riprap/particle/random_assembly.hpp>
@@ -32,15 +33,39 @@ namespace {
   return options;
 }
 
+// Brings the grains near each other, without friction, and all over the sample alike: colliding
+// grains fall back behind the ring, which leaves a large sample loose inside, so that they get the
+// velocity of the field anew time and again.
+template <class Sim>
+void contract(Sim& sim) {
+  constexpr double rate = 9;              // [1/s]
+  constexpr double enough = 2e4;          // mean stress [Pa]
+  constexpr int between_velocities = 50;  // steps
+  const double friction = std::exchange(sim.contact_law().friction, 0);
+  sim.boundary().set_rate(rate, rate);
+  const auto stress = [&] {
+    return average_stress(sim.contacts(), sim.boundary().region(sim.particles()).area(),
+                          sim.particles().thickness())
+        .mean();
+  };
+  while (stress() < enough) {
+    for (BodyIndex i = 0; i < sim.particles().size(); ++i)
+      if (const Body& body = sim.particles().body(i); body.is_free())
+        sim.set_velocity(i, -rate * body.position);
+    for (int i = 0; i < between_velocities; ++i) sim.step();
+  }
+  sim.contact_law().friction = friction;
+}
+
 [[nodiscard]] Packing prepare(const std::string& kind, unsigned count) {
   const RandomAssembly options = sample(kind, count);
   const double pressure = pressure_of(kind);
   Simulation sim{Model{}.criterion(NeverFails{}), random_assembly(options), Rock{}};
   const BiaxialTest test{.confining_pressure = pressure,
                          .axial_strain = kind == "breakable" ? 0 : 0.004,
-                         // A larger sample needs more time to stay uniform.
-                         .compaction_inertial_number = 8e-3 * std::sqrt(500.0 / count),
+                         .compaction_inertial_number = 8e-3,
                          .rest_unbalanced_force = 0.05};
+  contract(sim);
   const double axial_rate = test.run(sim).axial_rate;
 
   Packing packing{.mean_diameter = options.mean_diameter,
