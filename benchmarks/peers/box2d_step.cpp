@@ -1,0 +1,111 @@
+// box2d_step PACKING  times steps of Box2D.
+
+#include <box2d/box2d.h>
+
+#include <exception>
+
+#include "impulse_engine.hpp"
+#include "result.hpp"
+
+namespace peers {
+namespace {
+
+[[nodiscard]] b2Vec2 to_box2d(const Vec2& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y())};
+}
+
+class Box2D {
+ public:
+  explicit Box2D(const Packing& packing) : world_({0, 0}), widening_(packing) {
+    world_.SetAllowSleeping(false);
+    for (const Grain& grain : packing.grains) add(grain, packing);
+    drive();
+  }
+
+  void step() { world_.Step(static_cast<float>(frame), 8, 3); }
+
+  void steer() {
+    widening_.steer(contacts().coordination());
+    drive();
+  }
+
+  // Those that carry a load.
+  [[nodiscard]] ContactCount contacts() {
+    ContactCount count;
+    for (const b2Body* body : bodies_) count.grain(body->GetType() == b2_dynamicBody);
+    for (b2Contact* contact = world_.GetContactList(); contact; contact = contact->GetNext()) {
+      const b2Manifold& manifold = *contact->GetManifold();
+      b2WorldManifold placed;
+      contact->GetWorldManifold(&placed);
+      bool loaded = false;
+      float depth = 0;
+      for (int i = 0; i < manifold.pointCount; ++i) {
+        loaded |= manifold.points[i].normalImpulse > 0;
+        depth = std::max(depth, -placed.separations[i]);
+      }
+      if (contact->IsTouching() && loaded)
+        count.contact(contact->GetFixtureA()->GetBody()->GetType() == b2_dynamicBody,
+                      contact->GetFixtureB()->GetBody()->GetType() == b2_dynamicBody,
+                      static_cast<double>(depth));
+    }
+    return count;
+  }
+
+ private:
+  void add(const Grain& grain, const Packing& packing) {
+    const std::vector<Vec2> ring = scaled(grain.ring, packing.mean_diameter);
+    const Vec2 centre = area_properties(ring).centroid;
+    b2BodyDef definition;
+    definition.type = grain.free ? b2_dynamicBody : b2_kinematicBody;
+    definition.position = to_box2d(centre);
+    b2Body* body = world_.CreateBody(&definition);
+    std::vector<b2Vec2> corners;
+    // Box2D adds a skin to every polygon.
+    for (const Vec2& v : inset(ring, static_cast<double>(b2_polygonRadius)))
+      corners.push_back(to_box2d(v - centre));
+    b2PolygonShape shape;
+    shape.Set(corners.data(), static_cast<int32>(corners.size()));
+    b2FixtureDef fixture;
+    fixture.shape = &shape;
+    fixture.density = 1;
+    fixture.friction = static_cast<float>(packing.friction);
+    fixture.restitution = 0;
+    body->CreateFixture(&fixture);
+    bodies_.push_back(body);
+  }
+
+  void drive() {
+    for (b2Body* body : bodies_) {
+      if (body->GetType() != b2_kinematicBody) continue;
+      const b2Vec2 x = body->GetPosition();
+      body->SetLinearVelocity(
+          to_box2d(widening_.field({static_cast<double>(x.x), static_cast<double>(x.y)})));
+    }
+  }
+
+  b2World world_;
+  Widening widening_;
+  std::vector<b2Body*> bodies_;
+};
+
+}  // namespace
+}  // namespace peers
+
+int main(int count, char** arguments) try {
+  using namespace peers;
+  if (count != 2) throw std::runtime_error("box2d_step PACKING");
+  const Packing packing = read(arguments[1]);
+  Box2D engine(packing);
+  const auto step = [&] { engine.step(); };
+  const auto steer = [&](int) { engine.steer(); };
+  (void)time_steps(settling_steps, packing.grains.size(), step, steer);
+  const double ns = time_steps(timed_steps, packing.grains.size(), step, steer);
+  const ContactCount contacts = engine.contacts();
+  print_result("Box2D", {{"ns", ns},
+                         {"coordination", contacts.coordination()},
+                         {"overlap", contacts.mean_depth()},
+                         {"time_step", frame}});
+} catch (const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return 1;
+}
