@@ -26,7 +26,9 @@ template <class Trigger>
     return 1;
 }
 
-/// Asks every free particle, and remembers refused cuts until the contact partners change.
+/// Asks every free particle whether it breaks. Remembers refused cuts until the contact partners
+/// change; passes over particles that cannot have come to breaking since they were last asked, if
+/// the trigger says what that takes. The cracks are those of asking everyone.
 class CrackSearch {
  public:
   using Cracks = std::vector<std::pair<BodyIndex, Crack>>;
@@ -46,6 +48,7 @@ class CrackSearch {
       if (refusal.active && refusal.partners == stresses.partners(i)) continue;
       refusal.active = false;
       if (stresses.contact_count(i) == 0) continue;
+      if (passed_over(breakage, particles, i, stresses)) continue;
       const ElementStress& stress =
           stresses.evaluate(particles, i, load_scale(breakage.trigger, particles, i));
       const FailureTally tally = tally_failures(breakage.criterion, stress);
@@ -65,6 +68,24 @@ class CrackSearch {
   }
 
  private:
+  // Whether the trigger is known not to fire, without the exact stresses.
+  template <class BreakagePart, class StressPart>
+  [[nodiscard]] bool passed_over(const BreakagePart& breakage, const Particles& particles,
+                                 BodyIndex i, ParticleStress<StressPart>& stresses) {
+    const auto& trigger = breakage.trigger;
+    if constexpr (ParticleStress<StressPart>::linear &&
+                  requires(std::size_t elements) { trigger.failed_elements_needed(elements); }) {
+      if (stresses.known_to_hold(particles, i)) return true;
+      if (!forecast_) forecast_ = FailureForecast(FailureRadii(breakage.criterion));
+      return !stresses.may_break(particles, i, load_scale(trigger, particles, i), *forecast_,
+                                 [&](std::size_t elements) -> std::size_t {
+                                   return trigger.failed_elements_needed(elements);
+                                 });
+    } else {
+      return false;
+    }
+  }
+
   /// A refused cut and the partners it was refused under.
   struct Refusal {
     bool active = false;
@@ -72,6 +93,7 @@ class CrackSearch {
   };
 
   std::vector<Refusal> refusals_;
+  std::optional<FailureForecast> forecast_;  // of the criterion of the first search
   Cracks cracks_;
 };
 
