@@ -103,18 +103,17 @@ struct ByOperator {
   }
 
   void operator()(const Loaded& p) {
-    static const FailureForecast forecast{FailureRadii(HoekBrown{})};
+    static FailureForecast forecast{FailureRadii(HoekBrown{})};
     static CompactStress stress;
     Loads placed;
-    std::array<double, contacts> holds;
+    std::array<OutlinePoint, contacts> places;
     for (std::size_t k = 0; k < contacts; ++k) {
-      const OutlinePoint found = op.outline().nearest(p.arms[k]);
-      placed[k] = {found.at, p.forces[k], 0};
-      holds[k] = found.hold;
+      places[k] = op.outline().nearest(p.arms[k]);
+      placed[k] = {places[k].at, p.forces[k], 0};
     }
     op.find_stress(placed, 1, stress);
     const FailureOutlook outlook = forecast(stress, 1 + 2 * op.elements() / 5);
-    reference.renew(loads, placed, holds, Rotation{}, op, outlook.harmless_change);
+    reference.renew(loads, placed, places, Rotation{}, op, outlook.harmless_change);
   }
 };
 

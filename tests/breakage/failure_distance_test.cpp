@@ -33,6 +33,12 @@ struct Jagged {
   double tensile_strength() const { return 5e6; }
 };
 
+double radius_at_least(FailureRadii& radii, double centre) {
+  Eigen::ArrayXf found;
+  radii.at_least(Eigen::ArrayXf::Constant(1, static_cast<float>(centre)), found);
+  return found[0];
+}
+
 template <class C>
 bool fails(const C& criterion, double centre, double radius) {
   return evaluate(criterion, Stress2{centre + radius, centre - radius, 0}).failed();
@@ -42,11 +48,11 @@ bool fails(const C& criterion, double centre, double radius) {
 // above it, by a step of the table, all have.
 template <class C>
 void check_radii(const C& criterion, double lowest, double highest) {
-  const FailureRadii radii(criterion);
+  FailureRadii radii(criterion);
   Random random(71);
   for (int i = 0; i < 20000; ++i) {
     const double centre = random.uniform(lowest, highest);
-    const double radius = radii.at_least(static_cast<float>(centre));
+    const double radius = radius_at_least(radii, centre);
     if (radius > 0) CHECK_FALSE(fails(criterion, centre, radius));
     const double above = std::max(0.0, radius) + 1.01 * static_cast<double>(radii.step());
     CHECK(fails(criterion, centre, above));
@@ -88,22 +94,22 @@ TEST_CASE("no circle smaller than the tabled radius has failed, and hardly a lar
 
 TEST_CASE("beyond the table the radius is still on the safe side") {
   const HoekBrown criterion;
-  const FailureRadii radii(criterion);
+  FailureRadii radii(criterion);
   for (const double centre : {-1e12, -1e9, 2e9, 1e11, 1e13}) {
-    const double radius = radii.at_least(static_cast<float>(centre));
+    const double radius = radius_at_least(radii, centre);
     if (radius > 0) CHECK_FALSE(fails(criterion, centre, radius));
   }
 }
 
 TEST_CASE("what never fails is infinitely far from failure") {
-  const FailureRadii radii(NeverFails{});
+  FailureRadii radii(NeverFails{});
   for (const double centre : {-1e9, 0.0, 1e9})
-    CHECK((centre < 0 || std::isinf(radii.at_least(static_cast<float>(centre)))));
+    CHECK((centre < 0 || std::isinf(radius_at_least(radii, centre))));
 }
 
 TEST_CASE("every element that has failed is among those that may have") {
   const HoekBrown criterion;
-  const FailureForecast forecast{FailureRadii(criterion)};
+  FailureForecast forecast{FailureRadii(criterion)};
   Random random(72);
   std::size_t failed = 0;
   std::size_t possible = 0;
@@ -127,7 +133,7 @@ TEST_CASE("every element that has failed is among those that may have") {
 }
 
 TEST_CASE("an error of the stresses counts as so much distance") {
-  const FailureForecast forecast{FailureRadii(HoekBrown{})};
+  FailureForecast forecast{FailureRadii(HoekBrown{})};
   // 1 MPa below uniaxial failure.
   const std::vector<Stress2> near_failure(10, Stress2{298e6, 0, 0});
   CHECK(forecast(compact(near_failure), 5).possible == 0);
@@ -136,7 +142,7 @@ TEST_CASE("an error of the stresses counts as so much distance") {
 
 TEST_CASE("a change just below the harmless one lets fewer elements fail than are needed") {
   const HoekBrown criterion;
-  const FailureForecast forecast{FailureRadii(criterion)};
+  FailureForecast forecast{FailureRadii(criterion)};
   Random random(73);
   int worked = 0;
   for (int sample = 0; sample < 200; ++sample) {
@@ -168,6 +174,6 @@ TEST_CASE("a change just below the harmless one lets fewer elements fail than ar
 }
 
 TEST_CASE("a trigger that needs more elements than there are is never in danger") {
-  const FailureForecast forecast{FailureRadii(HoekBrown{})};
+  FailureForecast forecast{FailureRadii(HoekBrown{})};
   CHECK(std::isinf(forecast(compact({{1e6, 0, 0}, {2e6, 0, 0}}), 3).harmless_change));
 }

@@ -63,9 +63,9 @@ TEST_CASE("the norm of all stresses is a quadratic form in the forces") {
     double terms = 0;
     for (const BoundaryLoad& p : loads)
       for (const BoundaryLoad& q : loads)
-        form += p.force.dot(compact.product(p.at, q.at) * q.force);
+        form += p.force.dot(compact.product(p.at, q.at).cast<double>() * q.force);
     for (const BoundaryLoad& p : loads)
-      terms += std::sqrt(p.force.dot(compact.product(p.at, p.at) * p.force));
+      terms += std::sqrt(p.force.dot(compact.product(p.at, p.at).cast<double>() * p.force));
     const double expected = frobenius_square(test::stress_of(exact, loads));
     CHECK(std::abs(form - expected) <= CompactOperator::product_error * terms * terms);
   }

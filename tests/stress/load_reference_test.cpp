@@ -25,7 +25,20 @@ struct Loaded {
 
   [[nodiscard]] ContactLoad contact(Random& random, std::uint32_t partner) const {
     const Mesh& mesh = op.mesh();
-    const std::uint32_t node = random.uniform_integer(0, mesh.boundary_nodes - 1);
+    // Every other one within a hundredth or so of the size from a corner, on either side of it.
+    const auto corners = static_cast<unsigned>(mesh.corners.size());
+    const bool at_corner = random.uniform(0, 1) < 0.5;
+    const std::uint32_t corner = mesh.corners[random.uniform_integer(0, corners - 1)];
+    const std::uint32_t node =
+        at_corner ? corner : random.uniform_integer(0, mesh.boundary_nodes - 1);
+    if (at_corner) {
+      const double deep = std::pow(10, random.uniform(-5, -2));
+      const Rotation aside = Rotation::from_angle(random.uniform(-0.01, 0.01));
+      return {rotation * (aside * ((1 - deep) * mesh.nodes[node])),
+              {random.uniform(-1e3, 1e3), random.uniform(-1e3, 1e3)},
+              0,
+              partner};
+    }
     // Up to a hundredth of the size inside.
     const Vec2 place =
         random.uniform(0.98, 1) *
@@ -33,12 +46,13 @@ struct Loaded {
     return {rotation * place, {random.uniform(-1e3, 1e3), random.uniform(-1e3, 1e3)}, 0, partner};
   }
 
-  [[nodiscard]] std::vector<BoundaryLoad> placed(std::vector<double>* holds = nullptr) const {
+  [[nodiscard]] std::vector<BoundaryLoad>
+  placed(std::vector<OutlinePoint>* places = nullptr) const {
     std::vector<BoundaryLoad> all;
     for (const ContactLoad& load : loads) {
       const OutlinePoint found = compact.outline().nearest(rotation.inverse_times(load.arm));
       all.push_back({found.at, rotation.inverse_times(load.force), 0});
-      if (holds) holds->push_back(found.hold);
+      if (places) places->push_back(found);
     }
     return all;
   }
@@ -66,9 +80,9 @@ struct Loaded {
   }
 
   void renew(LoadReference& reference, double limit) const {
-    std::vector<double> holds;
-    const auto all = placed(&holds);
-    reference.renew(loads, all, holds, rotation, compact, limit);
+    std::vector<OutlinePoint> places;
+    const auto all = placed(&places);
+    reference.renew(loads, all, places, rotation, compact, limit);
   }
 
   InfluenceOperator op;

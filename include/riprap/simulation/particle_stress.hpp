@@ -84,18 +84,18 @@ class ParticleStress {
   /// failed elements does not fire, nor under loads that are near enough; true: it may, and
   /// `evaluate` decides.
   template <class Needed>
-  bool may_break(const Particles& particles, BodyIndex i, double scale,
-                 const FailureForecast& forecast, const Needed& needed)
+  bool may_break(const Particles& particles, BodyIndex i, double scale, FailureForecast& forecast,
+                 const Needed& needed)
     requires linear
   {
     const CompactOperator& op = operators_.compact(particles, i);
     const Rotation& rotation = particles.body(i).rotation;
     settled_.clear();
-    holds_.clear();
+    places_.clear();
     for (const ContactLoad& load : loads(i)) {
       const OutlinePoint place = op.outline().nearest(rotation.inverse_times(load.arm));
       settled_.push_back({place.at, rotation.inverse_times(load.force), load.normal_force});
-      holds_.push_back(place.hold);
+      places_.push_back(place);
     }
     op.find_stress(settled_, scale, compact_stress_);
     const std::size_t needed_now = needed(op.elements());
@@ -104,7 +104,7 @@ class ParticleStress {
     if (may)
       references_[i].forget();
     else
-      references_[i].renew(loads(i), settled_, holds_, rotation, op,
+      references_[i].renew(loads(i), settled_, places_, rotation, op,
                            outlook.harmless_change / scale);
     return may;
   }
@@ -137,7 +137,7 @@ class ParticleStress {
   // In laboratory axes: turning is left to those who need it.
   std::vector<ContactLoad> loads_;
   std::vector<BoundaryLoad> settled_;
-  std::vector<double> holds_;
+  std::vector<OutlinePoint> places_;
   ElementStress stress_;
   CompactStress compact_stress_;
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -76,64 +77,75 @@ class CompactOperator {
     out.error = terms * static_cast<double>(4 * loads.size() + 4) * 0x1p-23;
   }
 
-  /// Sum over all elements of the product of two columns' stresses, the shear counted twice: with
-  /// it the Frobenius norm of all stresses under nodal forces is a quadratic form. Off by at most
-  /// `product_error` times the norms of the two.
-  [[nodiscard]] double product(Eigen::Index p, Eigen::Index q) const {
-    if (p > q) std::swap(p, q);
-    return products_[static_cast<std::size_t>(q * (q + 1) / 2 + p)];
-  }
-  /// Sums of some 300 terms in single precision, at half a unit in the last place each.
+  /// For unit forces at two boundary points: the sum over all elements of the products of their
+  /// stresses, the shear counted twice, as a matrix of the axes of the forces. With it the square
+  /// of the Frobenius norm of all stresses is a quadratic form. Off by at most `product_error`
+  /// times the norms of the two: sums of some 300 terms in single precision.
   static constexpr double product_error = 4e-5;
-  /// The same for unit forces at two boundary points, as a matrix of the axes of the forces.
-  [[nodiscard]] Eigen::Matrix2d product(const BoundaryPoint& a, const BoundaryPoint& b) const {
-    return a.weight * (b.weight * block(a.node, b.node) + (1 - b.weight) * block(a.node, b.next)) +
-           (1 - a.weight) *
-               (b.weight * block(a.next, b.node) + (1 - b.weight) * block(a.next, b.next));
+  [[nodiscard]] Eigen::Matrix2f product(const BoundaryPoint& a, const BoundaryPoint& b) const {
+    const auto w = static_cast<float>(a.weight);
+    const auto v = static_cast<float>(b.weight);
+    return w * v * block(a.node, b.node) + w * (1 - v) * block(a.node, b.next) +
+           (1 - w) * v * block(a.next, b.node) + (1 - w) * (1 - v) * block(a.next, b.next);
   }
 
   /// Largest Frobenius norm of the stresses due to a unit force anywhere on the boundary [1/m^2].
   [[nodiscard]] double largest_norm() const { return largest_norm_; }
-  /// How far a place may move from `at` for `steepness` to hold [m]: one node spacing.
-  [[nodiscard]] double reach(const BoundaryPoint& at) const { return spacing_[at.node]; }
-  /// Largest change of the stresses due to a unit force, in the Frobenius norm, over the distance
-  /// by which it moves along the boundary near `at` [1/m^3].
+  /// How far a place may move from `at`, on its edge, for `steepness` to hold [m]: one node
+  /// spacing.
+  [[nodiscard]] double reach(const BoundaryPoint& at) const { return pieces_[at.node].length; }
+  /// Change of the stresses due to `force` [N] in the Frobenius norm, over the distance by which it
+  /// moves along the boundary near `at`, at most [N/m^3].
+  [[nodiscard]] double steepness(const BoundaryPoint& at, const Vec2& force) const {
+    const std::uint32_t nodes = outline_.nodes();
+    const auto x = static_cast<float>(force.x());
+    const auto y = static_cast<float>(force.y());
+    float largest = 0;
+    for (const std::uint32_t node : {(at.node + nodes - 1) % nodes, at.node, at.next}) {
+      const Piece& piece = pieces_[node];
+      largest = std::max(largest, x * (x * piece.xx + y * piece.xy) + y * y * piece.yy);
+    }
+    return std::sqrt(static_cast<double>(largest));
+  }
+  /// The same for a unit force along any axis [1/m^3].
   [[nodiscard]] double steepness(const BoundaryPoint& at) const {
     const std::uint32_t nodes = outline_.nodes();
-    return std::max(
-        {steepness_[(at.node + nodes - 1) % nodes], steepness_[at.node], steepness_[at.next]});
+    return std::max({pieces_[(at.node + nodes - 1) % nodes].steepness, pieces_[at.node].steepness,
+                     pieces_[at.next].steepness});
   }
 
   [[nodiscard]] std::size_t bytes() const {
-    return sizeof(float) * (static_cast<std::size_t>(columns_.size()) + products_.size() +
-                            3 * largest_.size()) +
-           outline_.bytes();
+    return sizeof(float) * (static_cast<std::size_t>(columns_.size()) + 4 * products_.size() +
+                            largest_.size()) +
+           sizeof(Piece) * pieces_.size() + outline_.bytes();
   }
 
  private:
   static constexpr Eigen::Index pad = 8;  // elements, for whole vectors of single precision
 
-  [[nodiscard]] Eigen::Matrix2d block(std::uint32_t i, std::uint32_t j) const {
-    const auto p = 2 * static_cast<Eigen::Index>(i);
-    const auto q = 2 * static_cast<Eigen::Index>(j);
-    Eigen::Matrix2d b;
-    b << product(p, q), product(p, q + 1), product(p + 1, q), product(p + 1, q + 1);
-    return b;
+  [[nodiscard]] Eigen::Matrix2f block(std::uint32_t i, std::uint32_t j) const {
+    if (i < j) return block(j, i).transpose();
+    return products_[i * (i + 1) / 2 + j];
   }
 
   void sum_products() {
-    const Eigen::Index n = columns_.cols();
-    products_.reserve(static_cast<std::size_t>(n * (n + 1) / 2));
-    Eigen::VectorXf weighted;
-    for (Eigen::Index q = 0; q < n; ++q) {
-      weighted = columns_.col(q);
-      weighted.tail(stride_) *= 2;
-      for (Eigen::Index p = 0; p <= q; ++p) products_.push_back(columns_.col(p).dot(weighted));
+    const auto nodes = static_cast<Eigen::Index>(outline_.nodes());
+    Eigen::MatrixXf weighted;
+    for (Eigen::Index i = 0; i < nodes; ++i) {
+      weighted = columns_.middleCols<2>(2 * i);
+      weighted.bottomRows(stride_) *= 2;
+      for (Eigen::Index j = 0; j <= i; ++j) {
+        Eigen::Matrix2f& sums = products_.emplace_back();
+        for (Eigen::Index p = 0; p < 2; ++p)
+          for (Eigen::Index q = 0; q < 2; ++q)
+            sums(p, q) = weighted.col(p).dot(columns_.col(2 * j + q));
+      }
     }
   }
 
   // Largest eigenvalue of a symmetric, non-negative matrix.
-  [[nodiscard]] static double largest_eigenvalue(const Eigen::Matrix2d& m) {
+  [[nodiscard]] static double largest_eigenvalue(const Eigen::Matrix2f& single) {
+    const Eigen::Matrix2d m = single.cast<double>();
     const double half = 0.5 * (m(0, 0) - m(1, 1));
     const double off = 0.5 * (m(0, 1) + m(1, 0));
     return 0.5 * (m(0, 0) + m(1, 1)) + std::sqrt(half * half + off * off);
@@ -143,26 +155,39 @@ class CompactOperator {
     const std::uint32_t nodes = outline_.nodes();
     for (std::uint32_t j = 0; j < nodes; ++j) {
       const std::uint32_t k = (j + 1) % nodes;
-      const double own = largest_eigenvalue(block(j, j));
-      largest_norm_ = std::max(largest_norm_, std::sqrt(own));
-      const Eigen::Matrix2d change = block(j, j) + block(k, k) - block(j, k) - block(k, j);
-      // Four products in a difference, two axes in an eigenvalue.
-      const double off = 4 * product_error * (own + largest_eigenvalue(block(k, k)));
+      largest_norm_ = std::max(largest_norm_, std::sqrt(largest_eigenvalue(block(j, j))));
+      Eigen::MatrixXf change = columns_.middleCols<2>(2 * static_cast<Eigen::Index>(j)) -
+                               columns_.middleCols<2>(2 * static_cast<Eigen::Index>(k));
+      change.bottomRows(stride_) *= std::numbers::sqrt2_v<float>;
       const double length = (mesh.nodes[k] - mesh.nodes[j]).norm();
-      spacing_.push_back(static_cast<float>(length));
-      steepness_.push_back(
-          static_cast<float>(std::sqrt(largest_eigenvalue(change) + off) / length));
+      const auto per_square = static_cast<float>(1 / (length * length));
+      Eigen::Matrix2f form;
+      form << change.col(0).dot(change.col(0)), change.col(0).dot(change.col(1)), 0,
+          change.col(1).dot(change.col(1));
+      form(1, 0) = form(0, 1);
+      form *= per_square;
+      // Round-off of the columns themselves is 6e-8 of them, and nodes are not near each other.
+      const float off = 1e-4f * form.trace();
+      pieces_.push_back({form(0, 0) + off, 2 * form(0, 1), form(1, 1) + off,
+                         static_cast<float>(std::sqrt(largest_eigenvalue(form) + off)),
+                         static_cast<float>(length)});
     }
   }
+
+  // Of boundary, from a node to the next: the square of what `steepness` is for any force.
+  struct Piece {
+    float xx, xy, yy;
+    float steepness;
+    float length;
+  };
 
   Outline outline_;
   Eigen::Index elements_ = 0;
   Eigen::Index stride_ = 0;
   Eigen::MatrixXf columns_;
-  std::vector<float> products_;   // upper triangle, column by column
-  std::vector<float> largest_;    // component of the two columns of a node
-  std::vector<float> steepness_;  // of the piece of boundary from a node to the next
-  std::vector<float> spacing_;    // its length
+  std::vector<Eigen::Matrix2f> products_;  // of two nodes each, the lower triangle row by row
+  std::vector<float> largest_;             // component of the two columns of a node
+  std::vector<Piece> pieces_;
   double largest_norm_ = 0;
 };
 

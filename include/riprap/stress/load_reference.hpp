@@ -35,8 +35,8 @@ class LoadReference {
   /// Keeps the loads, as they were put on the boundary.
   /// @param limit Frobenius norm of a change of all stresses that is harmless [Pa]
   void renew(std::span<const ContactLoad> loads, std::span<const BoundaryLoad> placed,
-             std::span<const double> holds, const Rotation& rotation, const CompactOperator& op,
-             double limit) {
+             std::span<const OutlinePoint> places, const Rotation& rotation,
+             const CompactOperator& op, double limit) {
     forget();
     if (loads.size() > capacity) return;
     count_ = static_cast<std::uint32_t>(loads.size());
@@ -45,10 +45,15 @@ class LoadReference {
     for (std::size_t c = 0; c < loads.size(); ++c) {
       const Vec2 arm = rotation.inverse_times(loads[c].arm);
       const Vec2& force = placed[c].force;
-      const double hold = 0.99 * std::min(holds[c], op.reach(placed[c].at));
-      contacts_[c] = {static_cast<float>(arm.x()), static_cast<float>(arm.y()),
-                      static_cast<float>(hold * hold),
-                      static_cast<float>(op.steepness(placed[c].at)), loads[c].partner};
+      const BoundaryPoint& at = places[c].at;
+      const double hold = safely(std::min(places[c].hold, op.reach(at)), arm);
+      contacts_[c] = {static_cast<float>(arm.x()),
+                      static_cast<float>(arm.y()),
+                      static_cast<float>(hold * std::abs(hold)),
+                      static_cast<float>(op.steepness(at, force)),
+                      static_cast<float>(op.steepness(at)),
+                      loads[c].partner};
+      corners_[c] = corner_of(places[c], arm);
       forces_[2 * c] = static_cast<float>(force.x());
       forces_[2 * c + 1] = static_cast<float>(force.y());
       forces += force.norm();
@@ -80,11 +85,19 @@ class LoadReference {
       const float dx = static_cast<float>(arm.x()) - then.x;
       const float dy = static_cast<float>(arm.y()) - then.y;
       const float moved = dx * dx + dy * dy;
-      if (!(moved <= then.hold_square)) return false;
-      slack += then.steepness * std::sqrt(moved * (fx * fx + fy * fy)) +
+      float along = 0;
+      if (moved <= then.hold_square)
+        along = std::sqrt(moved);
+      else if (moved <= corners_[c].hold_square)
+        along = corners_[c].way(static_cast<float>(arm.x()), static_cast<float>(arm.y()));
+      else
+        return false;
+      const float by_x = fx - forces_[2 * c];
+      const float by_y = fy - forces_[2 * c + 1];
+      change[2 * c] = by_x;
+      change[2 * c + 1] = by_y;
+      slack += along * (then.steepness + then.unit_steepness * (std::abs(by_x) + std::abs(by_y))) +
                static_cast<float>(margin) * largest_norm_ * size;
-      change[2 * c] = fx - forces_[2 * c];
-      change[2 * c + 1] = fy - forces_[2 * c + 1];
       ++c;
     }
     for (; c < count_; ++c) open(change, c);
@@ -99,8 +112,32 @@ class LoadReference {
   struct Contact {
     float x, y;  // arm [m]
     float hold_square;
-    float steepness;
+    float steepness;       // of its force
+    float unit_steepness;  // of a unit force
     std::uint32_t partner;
+  };
+
+  // Places near the corner of a particle, the most common ones, change edges often. What their
+  // boundary points then move by follows from the edges: that of the longer foot is the nearer one.
+  struct Corner {
+    float hold_square = -1;
+    float x = 0, y = 0;
+    float before_x = 0, before_y = 0;
+    float after_x = 0, after_y = 0;
+    float from_corner = 0;
+    float round_off = 0;
+
+    [[nodiscard]] float way(float arm_x, float arm_y) const {
+      const float dx = arm_x - x;
+      const float dy = arm_y - y;
+      const float before = std::max(0.0f, dx * before_x + dy * before_y);
+      const float after = std::max(0.0f, dx * after_x + dy * after_y);
+      const float if_before = std::abs(before + from_corner);
+      const float if_after = std::abs(after - from_corner);
+      if (before > after + round_off) return if_before;
+      if (after > before + round_off) return if_after;
+      return std::max(if_before, if_after);
+    }
   };
   using Changes = std::array<float, 2 * capacity>;
 
@@ -109,24 +146,47 @@ class LoadReference {
     change[2 * c + 1] = -forces_[2 * c + 1];
   }
 
+  [[nodiscard]] static Corner corner_of(const OutlinePoint& place, const Vec2& arm) {
+    const double hold = safely(place.corner_hold, arm);
+    if (!(hold > 0)) return {};
+    return {.hold_square = static_cast<float>(hold * hold),
+            .x = static_cast<float>(place.corner.x()),
+            .y = static_cast<float>(place.corner.y()),
+            .before_x = static_cast<float>(place.before.x()),
+            .before_y = static_cast<float>(place.before.y()),
+            .after_x = static_cast<float>(place.after.x()),
+            .after_y = static_cast<float>(place.after.y()),
+            .from_corner = static_cast<float>(place.from_corner),
+            .round_off = static_cast<float>(round_off * arm.lpNorm<1>())};
+  }
+
+  // Of differences of arms, with room.
+  static constexpr double round_off = 1e-6;
+  // Less than nothing where round-off may hide the whole hold.
+  [[nodiscard]] static double safely(double hold, const Vec2& arm) {
+    return 0.99 * hold - round_off * arm.lpNorm<1>();
+  }
+
   // Rows of the lower triangle; what is off the diagonal counts twice.
   void keep_products(std::span<const BoundaryLoad> placed, const CompactOperator& op) {
-    std::size_t at = 0;
     // |error| <= e sum_ij |g_i| |g_j| n_i n_j <= e N sum_i (g_i n_i)^2: it goes on the diagonal.
-    const double inflated =
-        1 + 2 * CompactOperator::product_error * 2 * static_cast<double>(placed.size());
+    const auto inflated = static_cast<float>(1 + 2 * CompactOperator::product_error * 2 *
+                                                     static_cast<double>(placed.size()));
+    float* upper = products_.data();
     for (std::size_t c = 0; c < placed.size(); ++c) {
-      std::array<std::array<float, 2 * capacity>, 2> rows;
-      for (std::size_t d = 0; d <= c; ++d) {
-        const Eigen::Matrix2d block = op.product(placed[c].at, placed[d].at);
-        for (int axis = 0; axis < 2; ++axis)
-          for (int other = 0; other < 2; ++other)
-            rows[static_cast<std::size_t>(axis)][2 * d + static_cast<std::size_t>(other)] =
-                static_cast<float>(axis == other && c == d ? inflated * block(axis, other)
-                                                           : 2 * block(axis, other));
+      float* lower = upper + 2 * c + 1;
+      for (std::size_t d = 0; d < c; ++d) {
+        const Eigen::Matrix2f block = 2 * op.product(placed[c].at, placed[d].at);
+        upper[2 * d] = block(0, 0);
+        upper[2 * d + 1] = block(0, 1);
+        lower[2 * d] = block(1, 0);
+        lower[2 * d + 1] = block(1, 1);
       }
-      for (std::size_t axis = 0; axis < 2; ++axis)
-        for (std::size_t k = 0; k <= 2 * c + axis; ++k) products_[at++] = rows[axis][k];
+      const Eigen::Matrix2f own = op.product(placed[c].at, placed[c].at);
+      upper[2 * c] = inflated * own(0, 0);
+      lower[2 * c] = own(0, 1) + own(1, 0);
+      lower[2 * c + 1] = inflated * own(1, 1);
+      upper = lower + 2 * c + 2;
     }
   }
 
@@ -146,6 +206,7 @@ class LoadReference {
   float largest_norm_ = 0;
   std::uint32_t count_ = 0;
   std::array<Contact, capacity> contacts_;
+  std::array<Corner, capacity> corners_;
   std::array<float, 2 * capacity> forces_;
   std::array<float, capacity * (2 * capacity + 1)> products_;
 };
