@@ -41,14 +41,12 @@ class CrackSearch {
                      double mean_area) {
     refusals_.resize(particles.size());
     stresses.gather(particles, contacts);
+    suspects_.clear();
+    for (BodyIndex i = 0; i < particles.size(); ++i)
+      if (asks(breakage, particles, i, stresses)) suspects_.push_back(i);
     cracks_.clear();
-    for (BodyIndex i = 0; i < particles.size(); ++i) {
-      if (!particles.body(i).is_free()) continue;
-      Refusal& refusal = refusals_[i];
-      if (refusal.active && refusal.partners == stresses.partners(i)) continue;
-      refusal.active = false;
-      if (stresses.contact_count(i) == 0) continue;
-      if (passed_over(breakage, particles, i, stresses)) continue;
+    for (const BodyIndex i : suspects_) {
+      if (!may_break(breakage, particles, i, stresses)) continue;
       const ElementStress& stress =
           stresses.evaluate(particles, i, load_scale(breakage.trigger, particles, i));
       const FailureTally tally = tally_failures(breakage.criterion, stress);
@@ -59,7 +57,7 @@ class CrackSearch {
       if (crack)
         cracks_.emplace_back(i, std::move(*crack));
       else
-        refusal = {true, stresses.partners(i)};
+        refusals_[i] = {true, stresses.partners(particles, i)};
     }
     std::sort(cracks_.begin(), cracks_.end(), [&](const auto& p, const auto& q) {
       return particles.ancestry(p.first).id < particles.ancestry(q.first).id;
@@ -68,21 +66,38 @@ class CrackSearch {
   }
 
  private:
-  // Whether the trigger is known not to fire, without the exact stresses.
   template <class BreakagePart, class StressPart>
-  [[nodiscard]] bool passed_over(const BreakagePart& breakage, const Particles& particles,
-                                 BodyIndex i, ParticleStress<StressPart>& stresses) {
-    const auto& trigger = breakage.trigger;
-    if constexpr (ParticleStress<StressPart>::linear &&
-                  requires(std::size_t elements) { trigger.failed_elements_needed(elements); }) {
-      if (stresses.known_to_hold(particles, i)) return true;
+  static constexpr bool foreseen = ParticleStress<StressPart>::linear &&
+                                   requires(const BreakagePart& breakage, std::size_t elements) {
+                                     breakage.trigger.failed_elements_needed(elements);
+                                   };
+
+  // Whether particle i has to be evaluated. Depends on i alone, and changes nothing of others.
+  template <class BreakagePart, class StressPart>
+  [[nodiscard]] bool asks(const BreakagePart&, const Particles& particles, BodyIndex i,
+                          const ParticleStress<StressPart>& stresses) {
+    if (!particles.body(i).is_free()) return false;
+    Refusal& refusal = refusals_[i];
+    if (refusal.active && refusal.partners == stresses.partners(particles, i)) return false;
+    refusal.active = false;
+    if (stresses.contact_count(i) == 0) return false;
+    if constexpr (foreseen<BreakagePart, StressPart>) return !stresses.known_to_hold(particles, i);
+    return true;
+  }
+
+  // Whether the exact stresses of particle i have to decide.
+  template <class BreakagePart, class StressPart>
+  [[nodiscard]] bool may_break(const BreakagePart& breakage, const Particles& particles,
+                               BodyIndex i, ParticleStress<StressPart>& stresses) {
+    if constexpr (foreseen<BreakagePart, StressPart>) {
       if (!forecast_) forecast_ = FailureForecast(FailureRadii(breakage.criterion));
-      return !stresses.may_break(particles, i, load_scale(trigger, particles, i), *forecast_,
-                                 [&](std::size_t elements) -> std::size_t {
-                                   return trigger.failed_elements_needed(elements);
-                                 });
+      const auto& trigger = breakage.trigger;
+      return stresses.may_break(particles, i, load_scale(trigger, particles, i), *forecast_,
+                                [&](std::size_t elements) -> std::size_t {
+                                  return trigger.failed_elements_needed(elements);
+                                });
     } else {
-      return false;
+      return true;
     }
   }
 
@@ -93,6 +108,7 @@ class CrackSearch {
   };
 
   std::vector<Refusal> refusals_;
+  std::vector<BodyIndex> suspects_;
   std::optional<FailureForecast> forecast_;  // of the criterion of the first search
   Cracks cracks_;
 };

@@ -37,12 +37,9 @@ class ParticleStress {
     operators_.begin_turn(particles.size());
     references_.resize(particles.size());
     starts_.assign(particles.size() + 1, 0);
-    partners_.assign(particles.size(), 0);
     contacts.for_each_touching([&](const auto& c) {
       ++starts_[c.a + 1];
       ++starts_[c.b + 1];
-      partners_[c.a] += spread_bits(particles.ancestry(c.b).id);
-      partners_[c.b] += spread_bits(particles.ancestry(c.a).id);
     });
     for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
     loads_.resize(starts_.back());
@@ -57,7 +54,12 @@ class ParticleStress {
   /// Contacts of particle i at the last `gather`.
   [[nodiscard]] std::size_t contact_count(BodyIndex i) const { return starts_[i + 1] - starts_[i]; }
   /// A number that stays the same as long as the contact partners of i do.
-  [[nodiscard]] std::uint64_t partners(BodyIndex i) const { return partners_[i]; }
+  [[nodiscard]] std::uint64_t partners(const Particles& particles, BodyIndex i) const {
+    std::uint64_t sum = 0;
+    for (const ContactLoad& load : loads(i))
+      sum += spread_bits(particles.ancestry(load.partner).id);
+    return sum;
+  }
 
   /// Element stresses of particle i under `scale` times the gathered loads, in its own frame. The
   /// reference is good until the next call.
@@ -133,7 +135,6 @@ class ParticleStress {
   std::vector<LoadReference> references_;
   std::vector<std::uint32_t> starts_{0};
   std::vector<std::uint32_t> filled_;
-  std::vector<std::uint64_t> partners_;
   // In laboratory axes: turning is left to those who need it.
   std::vector<ContactLoad> loads_;
   std::vector<BoundaryLoad> settled_;
