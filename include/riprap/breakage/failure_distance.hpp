@@ -36,8 +36,12 @@ class FailureRadii {
     inverse_step_ = 1 / step_;
     first_ = std::isfinite(tensile) ? -static_cast<float>(tensile)
                                     : -step_ * static_cast<float>(count / 2);
-    if (step == 0) return;  // nothing ever fails
-    radii_[0] = 0;          // nothing is known of centres below
+    if (step == 0) return;              // nothing ever fails
+    if (step < 1e-12 || step > 1e25) {  // nothing is known in such units
+      std::fill(radii_.begin(), radii_.end(), 0.0f);
+      return;
+    }
+    radii_[0] = 0;  // nothing is known of centres below
     for (std::size_t i = 1; i < count; ++i) {
       const double centre =
           static_cast<double>(first_) + static_cast<double>(step_) * static_cast<double>(i);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -51,7 +52,6 @@ class CompactOperator {
     find_steepness(op.mesh());
   }
 
-  [[nodiscard]] bool empty() const { return elements_ == 0; }
   [[nodiscard]] std::size_t elements() const { return static_cast<std::size_t>(elements_); }
   [[nodiscard]] const Outline& outline() const { return outline_; }
 
@@ -74,7 +74,10 @@ class CompactOperator {
     }
     // Of every term two roundings to single precision and one product, then the sum: half a unit in
     // the last place each, of at most the sum of the absolute terms. Twice that is allowed for.
-    out.error = terms * static_cast<double>(4 * loads.size() + 4) * 0x1p-23;
+    // In units that single precision has no numbers for, nothing is known.
+    const bool in_range = largest_norm_ > 1e-12 && largest_norm_ < 1e12;
+    out.error = in_range ? terms * static_cast<double>(4 * loads.size() + 4) * 0x1p-23
+                         : std::numeric_limits<double>::infinity();
   }
 
   /// For unit forces at two boundary points: the sum over all elements of the products of their

@@ -62,6 +62,8 @@ class LoadReference {
     // Arms and forces are kept to 6e-8 of their size. An arm is up to some twenty node spacings
     // long, and a force that moves by a node spacing changes the stresses by up to twice the norm.
     limit_ = static_cast<float>((1 - margin) * limit - margin * op.largest_norm() * forces);
+    // Its square must be far above the smallest numbers.
+    if (!(limit_ > 1e-12f)) forget();
   }
 
   /// True if the stresses under `loads` are known to be within the limit of those evaluated.
@@ -169,8 +171,10 @@ class LoadReference {
 
   // Rows of the lower triangle; what is off the diagonal counts twice.
   void keep_products(std::span<const BoundaryLoad> placed, const CompactOperator& op) {
-    // |error| <= e sum_ij |g_i| |g_j| n_i n_j <= e N sum_i (g_i n_i)^2: it goes on the diagonal.
-    const auto inflated = static_cast<float>(1 + 2 * CompactOperator::product_error * 2 *
+    // An error of e n_i n_j in each product changes the form by e sum_ij |g_i n_i g_j n_j| at most,
+    // and so by less than e N sum_i (g_i n_i)^2: put on the diagonal, it is covered. Four times,
+    // for n_i is less between two nodes than at them, and the form is summed in single precision.
+    const auto inflated = static_cast<float>(1 + 4 * CompactOperator::product_error * 2 *
                                                      static_cast<double>(placed.size()));
     float* upper = products_.data();
     for (std::size_t c = 0; c < placed.size(); ++c) {

@@ -28,7 +28,8 @@ struct OutlinePoint {
   double from_corner = 0;
 };
 
-/// What `Mesh::nearest_boundary_point` looks at, in one run of memory. Nodes divide an edge evenly.
+/// What `Mesh::nearest_boundary_point` looks at, in one run of memory: finds the same points, to
+/// the last bit, for where two edges are as near as each other it has to take the same one.
 class Outline {
  public:
   Outline() = default;
@@ -38,7 +39,7 @@ class Outline {
       const std::uint32_t end = k + 1 < mesh.corners.size() ? mesh.corners[k + 1] : nodes_;
       const Vec2 along = mesh.nodes[end % nodes_] - mesh.nodes[first];
       edges_.push_back(
-          {mesh.nodes[first], along, 1 / along.dot(along), along.norm(), first, end - first});
+          {mesh.nodes[first], along, along.dot(along), along.norm(), first, end - first});
     }
   }
 
@@ -52,9 +53,8 @@ class Outline {
     std::size_t next_best = 0;
     for (std::size_t k = 0; k < edges_.size(); ++k) {
       const Edge& edge = edges_[k];
-      const Vec2 from_start = x - edge.start;
-      const double along = std::clamp(edge.along.dot(from_start) * edge.inverse_square, 0.0, 1.0);
-      const Vec2 off = from_start - along * edge.along;
+      const double along = std::clamp(edge.along.dot(x - edge.start) / edge.square, 0.0, 1.0);
+      const Vec2 off = x - (edge.start + along * edge.along);
       const double square = off.dot(off);
       if (square < least[0]) {
         least = {square, least[0], least[1]};
@@ -69,6 +69,7 @@ class Outline {
       }
     }
     const Edge& edge = edges_[best];
+    // Nodes divide an edge evenly.
     const double parts = place * edge.parts;
     const auto part = std::min(static_cast<std::uint32_t>(parts), edge.parts - 1);
     const double distance = std::sqrt(least[0]);
@@ -89,7 +90,7 @@ class Outline {
   struct Edge {
     Vec2 start;
     Vec2 along;
-    double inverse_square;
+    double square;
     double length;
     std::uint32_t first;  // boundary node at its start
     std::uint32_t parts;
