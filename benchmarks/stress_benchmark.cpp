@@ -1,11 +1,11 @@
 // The stress check of a particle with four contacts, meshed with N triangles: stress/operator by
-// the compact operator, as at every check; stress/operator_exact by the exact one, as where a
-// particle may break; stress/assemble_and_solve by what they replace, in which every check
-// assembles, factorises and solves, all memory and the symbolic analysis being kept. All three
-// locate the contacts on the mesh first, and go round the 500 particles of a usual sample, whose
-// data do not fit in the nearest caches. stress/operator also counts the elements that may have
-// failed and keeps the reference for stress/bound, which says at most steps that none of this is
-// needed. Not measured: sorting contact forces by particle.
+// the compact operator; stress/operator_exact by the exact one, where a particle may break;
+// stress/assemble_and_solve by what they replace, in which every check assembles, factorises and
+// solves, all memory and the symbolic analysis being kept. All locate the contacts on the mesh
+// first, and go round the 500 particles of a usual sample, whose data do not fit in the nearest
+// caches. stress/check is the whole of what is done where the bound does not hold: it also counts
+// the elements that may have failed, and renews the bound. stress/bound says at most steps that
+// none of this is needed. Not measured: sorting contact forces by particle.
 
 #include <deque>
 #include <map>
@@ -93,6 +93,7 @@ struct BySolution {
   }
 };
 
+template <bool whole>
 struct ByOperator {
   CompactOperator op;
   LoadReference reference{};
@@ -112,6 +113,8 @@ struct ByOperator {
       placed[k] = {places[k].at, p.forces[k], 0};
     }
     op.find_stress(placed, 1, stress);
+    benchmark::DoNotOptimize(stress.values.data());
+    if constexpr (!whole) return;
     const FailureOutlook outlook = forecast(stress, 1 + 2 * op.elements() / 5);
     reference.renew(loads, placed, places, Rotation{}, op, outlook.harmless_change);
   }
@@ -135,7 +138,7 @@ void check(benchmark::State& state) {
 // At most steps it is known without an evaluation that a particle holds.
 void bound(benchmark::State& state) {
   const std::vector<Loaded> loaded = loaded_particles();
-  std::vector<ByOperator> all;
+  std::vector<ByOperator<true>> all;
   for (const Loaded& p : loaded) {
     all.emplace_back(p, 100);
     all.back()(p);
@@ -168,7 +171,8 @@ void build_operator(benchmark::State& state) {
 }
 
 BENCHMARK(check<BySolution>)->Name("stress/assemble_and_solve")->Arg(60)->Arg(100)->Arg(300);
-BENCHMARK(check<ByOperator>)->Name("stress/operator")->Arg(60)->Arg(100)->Arg(300);
+BENCHMARK(check<ByOperator<false>>)->Name("stress/operator")->Arg(60)->Arg(100)->Arg(300);
+BENCHMARK(check<ByOperator<true>>)->Name("stress/check")->Arg(60)->Arg(100)->Arg(300);
 BENCHMARK(check<ByExactOperator>)->Name("stress/operator_exact")->Arg(60)->Arg(100)->Arg(300);
 BENCHMARK(bound)->Name("stress/bound");
 BENCHMARK(build_operator)->Name("stress/build_operator")->Arg(60)->Arg(100)->Arg(300);
