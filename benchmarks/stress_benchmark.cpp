@@ -104,7 +104,7 @@ struct ByOperator {
   }
 
   void operator()(const Loaded& p) {
-    static FailureForecast forecast{FailureRadii(HoekBrown{})};
+    static FailureForecast forecast{FailureRadii::of(HoekBrown{})};
     static CompactStress stress;
     Loads placed;
     std::array<OutlinePoint, contacts> places;

@@ -48,7 +48,7 @@ bool fails(const C& criterion, double centre, double radius) {
 // above it, by a step of the table, all have.
 template <class C>
 void check_radii(const C& criterion, double lowest, double highest) {
-  FailureRadii radii(criterion);
+  FailureRadii radii = FailureRadii::of(criterion);
   Random random(71);
   for (int i = 0; i < 20000; ++i) {
     const double centre = random.uniform(lowest, highest);
@@ -94,7 +94,7 @@ TEST_CASE("no circle smaller than the tabled radius has failed, and hardly a lar
 
 TEST_CASE("beyond the table the radius is still on the safe side") {
   const HoekBrown criterion;
-  FailureRadii radii(criterion);
+  FailureRadii radii = FailureRadii::of(criterion);
   for (const double centre : {-1e12, -1e9, 2e9, 1e11, 1e13}) {
     const double radius = radius_at_least(radii, centre);
     if (radius > 0) CHECK_FALSE(fails(criterion, centre, radius));
@@ -102,14 +102,14 @@ TEST_CASE("beyond the table the radius is still on the safe side") {
 }
 
 TEST_CASE("what never fails is infinitely far from failure") {
-  FailureRadii radii(NeverFails{});
+  FailureRadii radii = FailureRadii::of(NeverFails{});
   for (const double centre : {-1e9, 0.0, 1e9})
     CHECK((centre < 0 || std::isinf(radius_at_least(radii, centre))));
 }
 
 TEST_CASE("every element that has failed is among those that may have") {
   const HoekBrown criterion;
-  FailureForecast forecast{FailureRadii(criterion)};
+  FailureForecast forecast{FailureRadii::of(criterion)};
   Random random(72);
   std::size_t failed = 0;
   std::size_t possible = 0;
@@ -133,7 +133,7 @@ TEST_CASE("every element that has failed is among those that may have") {
 }
 
 TEST_CASE("an error of the stresses counts as so much distance") {
-  FailureForecast forecast{FailureRadii(HoekBrown{})};
+  FailureForecast forecast{FailureRadii::of(HoekBrown{})};
   // 1 MPa below uniaxial failure.
   const std::vector<Stress2> near_failure(10, Stress2{298e6, 0, 0});
   CHECK(forecast(compact(near_failure), 5).possible == 0);
@@ -142,7 +142,7 @@ TEST_CASE("an error of the stresses counts as so much distance") {
 
 TEST_CASE("a change just below the harmless one lets fewer elements fail than are needed") {
   const HoekBrown criterion;
-  FailureForecast forecast{FailureRadii(criterion)};
+  FailureForecast forecast{FailureRadii::of(criterion)};
   Random random(73);
   int worked = 0;
   for (int sample = 0; sample < 200; ++sample) {
@@ -174,6 +174,15 @@ TEST_CASE("a change just below the harmless one lets fewer elements fail than ar
 }
 
 TEST_CASE("a trigger that needs more elements than there are is never in danger") {
-  FailureForecast forecast{FailureRadii(HoekBrown{})};
+  FailureForecast forecast{FailureRadii::of(HoekBrown{})};
   CHECK(std::isinf(forecast(compact({{1e6, 0, 0}, {2e6, 0, 0}}), 3).harmless_change));
+}
+
+TEST_CASE("in units without numbers in single precision every element may have failed") {
+  for (const double unit : {1e-60, 1e60}) {
+    FailureForecast forecast{FailureRadii::of(Rankine{.tension = 12e6 * unit})};
+    CHECK(forecast(compact({{1e6, 0, 0}, {2e6, 0, 0}}), 2).possible == 2);
+  }
+  FailureForecast forecast{FailureRadii::of(HoekBrown{})};
+  CHECK(forecast(compact({{1e6, 0, 0}}, std::numeric_limits<double>::infinity()), 1).possible == 1);
 }

@@ -25,28 +25,10 @@ class FailureRadii {
  public:
   FailureRadii() = default;
   template <FailureCriterion C>
-  explicit FailureRadii(const C& criterion) {
-    const double tensile = criterion.tensile_strength();
-    const double uniaxial = criterion.major_stress_at_failure(0);
-    const bool shears = std::isfinite(uniaxial) && uniaxial > 0;
-    const double step =
-        std::max(std::isfinite(tensile) ? tensile / 32 : 0, shears ? uniaxial / 512 : 0);
-    radii_.assign(count, std::numeric_limits<float>::infinity());
-    step_ = static_cast<float>(step > 0 ? step : 1);
-    inverse_step_ = 1 / step_;
-    first_ = std::isfinite(tensile) ? -static_cast<float>(tensile)
-                                    : -step_ * static_cast<float>(count / 2);
-    if (step == 0) return;              // nothing ever fails
-    if (step < 1e-12 || step > 1e25) {  // nothing is known in such units
-      std::fill(radii_.begin(), radii_.end(), 0.0f);
-      return;
-    }
-    radii_[0] = 0;  // nothing is known of centres below
-    for (std::size_t i = 1; i < count; ++i) {
-      const double centre =
-          static_cast<double>(first_) + static_cast<double>(step_) * static_cast<double>(i);
-      radii_[i] = static_cast<float>(radius_at_failure(criterion, centre, step));
-    }
+  [[nodiscard]] static FailureRadii of(const C& criterion) {
+    FailureRadii radii;
+    radii.tabulate(criterion);
+    return radii;
   }
 
   [[nodiscard]] float step() const { return step_; }
@@ -72,6 +54,31 @@ class FailureRadii {
  private:
   static constexpr std::size_t count = 2048;
   static constexpr float last = count - 1.001f;
+
+  template <class C>
+  void tabulate(const C& criterion) {
+    const double tensile = criterion.tensile_strength();
+    const double uniaxial = criterion.major_stress_at_failure(0);
+    const bool shears = std::isfinite(uniaxial) && uniaxial > 0;
+    const double step =
+        std::max(std::isfinite(tensile) ? tensile / 32 : 0, shears ? uniaxial / 512 : 0);
+    radii_.assign(count, std::numeric_limits<float>::infinity());
+    if (step == 0) return;              // nothing ever fails
+    if (step < 1e-12 || step > 1e25) {  // nothing is known in such units
+      std::fill(radii_.begin(), radii_.end(), 0.0f);
+      return;
+    }
+    step_ = static_cast<float>(step);
+    inverse_step_ = 1 / step_;
+    first_ = std::isfinite(tensile) ? -static_cast<float>(tensile)
+                                    : -step_ * static_cast<float>(count / 2);
+    radii_[0] = 0;  // nothing is known of centres below
+    for (std::size_t i = 1; i < count; ++i) {
+      const double centre =
+          static_cast<double>(first_) + static_cast<double>(step_) * static_cast<double>(i);
+      radii_[i] = static_cast<float>(radius_at_failure(criterion, centre, step));
+    }
+  }
 
   // By bisection, a little too small: the curve is rounded.
   template <class C>

@@ -90,7 +90,7 @@ class CrackSearch {
   [[nodiscard]] bool may_break(const BreakagePart& breakage, const Particles& particles,
                                BodyIndex i, ParticleStress<StressPart>& stresses) {
     if constexpr (foreseen<BreakagePart, StressPart>) {
-      if (!forecast_) forecast_ = FailureForecast(FailureRadii(breakage.criterion));
+      if (!forecast_) forecast_ = FailureForecast(FailureRadii::of(breakage.criterion));
       const auto& trigger = breakage.trigger;
       return stresses.may_break(particles, i, load_scale(trigger, particles, i), *forecast_,
                                 [&](std::size_t elements) -> std::size_t {
