@@ -155,8 +155,9 @@ class FailureForecast {
     const float all = distances_.max(0.0f).min(edge).square().sum();
     const auto elements = static_cast<float>(stress.elements);
     const float too_many = elements - static_cast<float>(needed) + 2e-5f * elements;
-    outlook.harmless_change = std::sqrt(std::max(0.0f, all - too_many * edge * edge)) /
-                              static_cast<double>(inverse_unit_);
+    outlook.harmless_change =
+        static_cast<double>(std::sqrt(std::max(0.0f, all - too_many * edge * edge))) /
+        static_cast<double>(inverse_unit_);
     return outlook;
   }
 

@@ -70,7 +70,8 @@ class CompactOperator {
                                        static_cast<float>(near.y()) * columns_.col(2 * j + 1) +
                                        static_cast<float>(far.x()) * columns_.col(2 * k) +
                                        static_cast<float>(far.y()) * columns_.col(2 * k + 1);
-      terms += near.lpNorm<1>() * largest_[load.at.node] + far.lpNorm<1>() * largest_[load.at.next];
+      terms += near.lpNorm<1>() * static_cast<double>(largest_[load.at.node]) +
+               far.lpNorm<1>() * static_cast<double>(largest_[load.at.next]);
     }
     // Of every term two roundings to single precision and one product, then the sum: half a unit in
     // the last place each, of at most the sum of the absolute terms. Twice that is allowed for.
@@ -171,9 +172,10 @@ class CompactOperator {
       form *= per_square;
       // Round-off of the columns themselves is 6e-8 of them, and nodes are not near each other.
       const float off = 1e-4f * form.trace();
-      pieces_.push_back({form(0, 0) + off, 2 * form(0, 1), form(1, 1) + off,
-                         static_cast<float>(std::sqrt(largest_eigenvalue(form) + off)),
-                         static_cast<float>(length)});
+      pieces_.push_back(
+          {form(0, 0) + off, 2 * form(0, 1), form(1, 1) + off,
+           static_cast<float>(std::sqrt(largest_eigenvalue(form) + static_cast<double>(off))),
+           static_cast<float>(length)});
     }
   }
 
