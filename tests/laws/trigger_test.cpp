@@ -32,6 +32,10 @@ struct EverySecondTime {
   void validate() const {}
 };
 
+struct NeedsTooMany : FailedCount {
+  std::size_t failed_elements_needed(std::size_t) const { return critical + 1; }
+};
+
 /// A strength that is `strength` at first and wanders by `change` at every question.
 struct Strength : NeverBreaks {
   mutable double strength = 1;
@@ -63,6 +67,11 @@ TEST_CASE("a trigger that breaks sound particles is found out") {
 TEST_CASE("a trigger that mends particles or changes its mind is found out") {
   check_violated(trigger_violations(HalfOnly{}), "one more failed element never mends a particle");
   check_violated(trigger_violations(EverySecondTime{}), "the same tally gives the same answer");
+}
+
+TEST_CASE("a trigger that fires with fewer failed elements than it says is found out") {
+  check_violated(trigger_violations(NeedsTooMany{}),
+                 "a particle with fewer failed elements than are needed stays whole");
 }
 
 TEST_CASE("a trigger with an impossible strength is found out") {

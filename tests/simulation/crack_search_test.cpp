@@ -5,6 +5,7 @@
 #include <riprap/breakage/splitter/no_split.hpp>
 #include <riprap/breakage/trigger/weibull_strength.hpp>
 #include <riprap/simulation/simulation.hpp>
+#include <riprap/stress/support/two_pinned_contacts.hpp>
 #include <support/near.hpp>
 
 using namespace riprap;
@@ -69,6 +70,50 @@ TEST_CASE("a refused cut is not tried again while the partners are the same") {
   const int so_far = asked;
   find(sim);
   CHECK(asked == so_far + 1);
+}
+
+namespace {
+
+// Counts how often it is asked what it needs: once for every particle that is evaluated.
+struct CountingTrigger : FailedElementRatio {
+  int* asked = nullptr;
+  std::size_t failed_elements_needed(std::size_t elements) const {
+    ++*asked;
+    return FailedElementRatio::failed_elements_needed(elements);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a particle far from breaking is evaluated once while its loads stay as they are") {
+  int asked = 0;
+  CountingTrigger trigger;
+  trigger.asked = &asked;
+  const auto model = Model{}.trigger(trigger);
+  // A hundredth of the forces that break the squares.
+  const Simulation sim{model.contact(LinearSpringCoulomb{.normal_stiffness = 2e5}), crushed,
+                       Rock{}};
+  ParticleStress<decltype(model.stress_model)> stresses(model.stress_model, Rock{});
+  CrackSearch search;
+  const auto find = [&] {
+    return search
+        .find(model.breakage_model, sim.particles(), sim.contacts(), stresses, sim.mean_area())
+        .size();
+  };
+  CHECK(find() == 0);
+  CHECK(asked == 2);
+  CHECK(find() == 0);
+  CHECK(asked == 2);
+  // Another particle in the same place is unknown.
+  stresses.forget(3);
+  CHECK(find() == 0);
+  CHECK(asked == 3);
+}
+
+TEST_CASE("under a support that is not linear every particle is evaluated exactly") {
+  CHECK(ParticleStress<StressModel<>>::linear);
+  const auto model = Model{}.support(TwoPinnedContacts{});
+  CHECK_FALSE(ParticleStress<decltype(model.stress_model)>::linear);
 }
 
 TEST_CASE("a weak particle carries its load as a strong one would carry a larger load") {

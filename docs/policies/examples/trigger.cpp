@@ -6,6 +6,7 @@ using namespace riprap;
 struct FailedCount {  // breaks when so many elements have failed
   std::size_t critical = 20;
   bool operator()(const FailureTally& tally) const { return tally.failed >= critical; }
+  std::size_t failed_elements_needed(std::size_t) const { return critical; }
   void validate() const {
     require(critical >= 1, "FailedCount.critical", double(critical), "must be 1 or more");
   }

@@ -28,6 +28,9 @@ template <BreakageTrigger T>
       check.holds("a particle without failed elements stays whole", failed > 0 || !breaks);
       check.holds("one more failed element never mends a particle", breaks || !broken);
       check.holds("the same tally gives the same answer", trigger(tally) == breaks);
+      if constexpr (requires { trigger.failed_elements_needed(elements); })
+        check.holds("a particle with fewer failed elements than are needed stays whole",
+                    failed >= trigger.failed_elements_needed(elements) || !breaks);
       broken = breaks;
     }
   }

@@ -2,51 +2,64 @@
 /// @file
 /// Contact forces to element stresses, for every particle of a simulation.
 
+#include <concepts>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
+#include <riprap/breakage/failure_distance.hpp>
 #include <riprap/core/hash.hpp>
 #include <riprap/material/rock.hpp>
 #include <riprap/particle/particles.hpp>
+#include <riprap/simulation/operator_store.hpp>
 #include <riprap/stress/boundary_load.hpp>
 #include <riprap/stress/element_stress.hpp>
-#include <riprap/stress/influence_operator.hpp>
+#include <riprap/stress/load_reference.hpp>
+#include <riprap/stress/support/inertia_relief.hpp>
 
 namespace riprap {
 
-/// Keeps one influence operator per particle, built when first asked for, and the boundary loads of
-/// all particles as of the last `gather`.
+/// Keeps the influence operators of all particles, the contact loads as of the last `gather`, and
+/// the loads under which each particle was last known not to break.
 template <class StressPart>
 class ParticleStress {
  public:
-  ParticleStress(StressPart model, const Rock& rock) : model_(std::move(model)), rock_(rock) {}
+  /// Whether stress is linear in the contact loads, as the bound on its change needs it. Other
+  /// supports choose anew which contacts they hold.
+  static constexpr bool linear = std::same_as<decltype(StressPart::support), InertiaRelief>;
 
-  /// Sorts the contact forces by particle and turns them into body frames.
+  ParticleStress(StressPart model, const Rock& rock) : operators_(std::move(model), rock) {}
+
+  /// Sorts the contact forces by particle.
   template <class Contacts>
   void gather(const Particles& particles, const Contacts& contacts) {
+    operators_.begin_turn(particles.size());
+    references_.resize(particles.size());
     starts_.assign(particles.size() + 1, 0);
-    partners_.assign(particles.size(), 0);
     contacts.for_each_touching([&](const auto& c) {
       ++starts_[c.a + 1];
       ++starts_[c.b + 1];
-      partners_[c.a] += spread_bits(particles.ancestry(c.b).id);
-      partners_[c.b] += spread_bits(particles.ancestry(c.a).id);
     });
     for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
     loads_.resize(starts_.back());
     filled_.assign(starts_.begin(), starts_.end() - 1);
     contacts.for_each_touching([&](const auto& c) {
       const Vec2 on_b = c.force_on_b();
-      loads_[filled_[c.a]++] = {c.arm_a, -on_b, c.force.normal};
-      loads_[filled_[c.b]++] = {c.arm_b, on_b, c.force.normal};
+      loads_[filled_[c.a]++] = {c.arm_a, -on_b, c.force.normal, c.b};
+      loads_[filled_[c.b]++] = {c.arm_b, on_b, c.force.normal, c.a};
     });
   }
 
   /// Contacts of particle i at the last `gather`.
   [[nodiscard]] std::size_t contact_count(BodyIndex i) const { return starts_[i + 1] - starts_[i]; }
   /// A number that stays the same as long as the contact partners of i do.
-  [[nodiscard]] std::uint64_t partners(BodyIndex i) const { return partners_[i]; }
+  [[nodiscard]] std::uint64_t partners(const Particles& particles, BodyIndex i) const {
+    std::uint64_t sum = 0;
+    for (const ContactLoad& load : loads(i))
+      sum += spread_bits(particles.ancestry(load.partner).id);
+    return sum;
+  }
 
   /// Element stresses of particle i under `scale` times the gathered loads, in its own frame. The
   /// reference is good until the next call.
@@ -54,54 +67,80 @@ class ParticleStress {
     const InfluenceOperator& op = influence(particles, i);
     const Rotation& rotation = particles.body(i).rotation;
     settled_.clear();
-    for (std::uint32_t k = starts_[i]; k < starts_[i + 1]; ++k)
-      settled_.push_back({op.mesh().nearest_boundary_point(rotation.inverse_times(loads_[k].arm)),
-                          rotation.inverse_times(loads_[k].force), loads_[k].normal_force});
-    model_.support.settle(std::span<BoundaryLoad>(settled_), op);
+    for (const ContactLoad& load : loads(i))
+      settled_.push_back({op.mesh().nearest_boundary_point(rotation.inverse_times(load.arm)),
+                          rotation.inverse_times(load.force), load.normal_force});
+    operators_.model().support.settle(std::span<BoundaryLoad>(settled_), op);
     stress_.reset(op.mesh().size());
     for (const BoundaryLoad& load : settled_) op.add_stress(load.at, scale * load.force, stress_);
     return stress_;
   }
 
-  /// The operator of particle i, built now if it was not there.
+  /// Whether the loads of particle i are so near to those of its last `may_break` that it cannot
+  /// break now.
+  [[nodiscard]] bool known_to_hold(const Particles& particles, BodyIndex i) const {
+    return references_[i].holds(loads(i), particles.body(i).rotation);
+  }
+
+  /// Evaluates particle i in single precision. False: a trigger that needs `needed(elements)`
+  /// failed elements does not fire, nor under loads that are near enough; true: it may, and
+  /// `evaluate` decides.
+  template <class Needed>
+  bool may_break(const Particles& particles, BodyIndex i, double scale, FailureForecast& forecast,
+                 const Needed& needed)
+    requires linear
+  {
+    const CompactOperator& op = operators_.compact(particles, i);
+    const Rotation& rotation = particles.body(i).rotation;
+    settled_.clear();
+    places_.clear();
+    for (const ContactLoad& load : loads(i)) {
+      const OutlinePoint place = op.outline().nearest(rotation.inverse_times(load.arm));
+      settled_.push_back({place.at, rotation.inverse_times(load.force), load.normal_force});
+      places_.push_back(place);
+    }
+    op.find_stress(settled_, scale, compact_stress_);
+    const std::size_t needed_now = needed(op.elements());
+    const FailureOutlook outlook = forecast(compact_stress_, needed_now);
+    const bool may = outlook.possible >= needed_now;
+    if (may)
+      references_[i].forget();
+    else
+      references_[i].renew(loads(i), settled_, places_, rotation, op,
+                           outlook.harmless_change / scale);
+    return may;
+  }
+
+  /// The operator of particle i, built now if it was not there; good until the next call.
   const InfluenceOperator& influence(const Particles& particles, BodyIndex i) {
-    if (operators_.size() < particles.size()) operators_.resize(particles.size());
-    if (operators_[i].empty())
-      operators_[i] = InfluenceOperator(model_.mesher(particles.local_ring(i)), model_.element,
-                                        model_.plane_state, rock_, particles.thickness(),
-                                        decltype(model_.support)::needs_flexibility);
-    return operators_[i];
+    return operators_.exact(particles, i);
   }
 
   /// Another particle lives at i now.
   void forget(BodyIndex i) {
-    if (i < operators_.size()) operators_[i] = {};
+    operators_.forget(i);
+    if (i < references_.size()) references_[i].forget();
   }
 
+  [[nodiscard]] OperatorStore<StressPart>& operators() { return operators_; }
   /// Memory held by the operators [bytes].
-  [[nodiscard]] std::size_t bytes() const {
-    std::size_t sum = 0;
-    for (const InfluenceOperator& op : operators_) sum += op.bytes();
-    return sum;
-  }
+  [[nodiscard]] std::size_t bytes() const { return operators_.bytes(); }
 
  private:
-  // In laboratory axes: most gathers are cheap because turning is left to `evaluate`.
-  struct Load {
-    Vec2 arm{0, 0};
-    Vec2 force{0, 0};
-    double normal_force = 0;
-  };
+  [[nodiscard]] std::span<const ContactLoad> loads(BodyIndex i) const {
+    return {loads_.data() + starts_[i], loads_.data() + starts_[i + 1]};
+  }
 
-  StressPart model_;
-  Rock rock_;
-  std::vector<InfluenceOperator> operators_;
+  OperatorStore<StressPart> operators_;
+  std::vector<LoadReference> references_;
   std::vector<std::uint32_t> starts_{0};
   std::vector<std::uint32_t> filled_;
-  std::vector<std::uint64_t> partners_;
-  std::vector<Load> loads_;
+  // In laboratory axes: turning is left to those who need it.
+  std::vector<ContactLoad> loads_;
   std::vector<BoundaryLoad> settled_;
+  std::vector<OutlinePoint> places_;
   ElementStress stress_;
+  CompactStress compact_stress_;
 };
 
 }  // namespace riprap

@@ -157,6 +157,9 @@ class Simulation {
     time_step_ = seconds;
   }
 
+  /// Memory for influence operators [bytes]: results do not depend on it. See OperatorStore.
+  void set_operator_budget(std::size_t bytes) { stress_.operators().set_budget(bytes); }
+
   /// Evaluates particle i now: its element stresses, in its own frame.
   [[nodiscard]] ElementStress element_stress(BodyIndex i) const {
     stress_.gather(particles_, contacts_);

@@ -52,6 +52,9 @@ class InfluenceOperator {
 
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] bool empty() const { return stress_.size() == 0; }
+  /// S [1/m^2]: a column for each boundary node and axis, with the s11 of every element, then the
+  /// s22, then the s12.
+  [[nodiscard]] const Eigen::MatrixXd& columns() const { return stress_; }
 
   /// Adds the stresses due to a force [N] at a boundary point.
   void add_stress(const BoundaryPoint& at, const Vec2& force, ElementStress& stress) const {

@@ -14,3 +14,5 @@ TEST_CASE("a particle without failed elements stays whole") {
   CHECK_FALSE(AnyElement{}({.elements = 1000, .failed = 0, .lowest_safety_factor = 1.0001}));
   CHECK_FALSE(AnyElement{}({}));
 }
+
+TEST_CASE("one is needed") { CHECK(AnyElement{}.failed_elements_needed(100) == 1); }

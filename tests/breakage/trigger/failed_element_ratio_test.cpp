@@ -32,3 +32,10 @@ TEST_CASE("RatF must be a positive number") {
                        InvalidInput);
   CHECK_THROWS_AS(FailedElementRatio{.critical = std::nan("")}.validate(), InvalidInput);
 }
+
+TEST_CASE("two fifths of the elements are needed, rounded up; above one there are never enough") {
+  CHECK(FailedElementRatio{}.failed_elements_needed(100) == 40);
+  CHECK(FailedElementRatio{}.failed_elements_needed(103) == 42);
+  CHECK(FailedElementRatio{}.failed_elements_needed(0) == 1);
+  CHECK(FailedElementRatio{.critical = 1.01}.failed_elements_needed(10) == 11);
+}

@@ -12,3 +12,7 @@ static_assert(!FailureCriterion<NeverBreaks>);
 TEST_CASE("not even a particle all of whose elements have failed breaks") {
   CHECK_FALSE(NeverBreaks{}({.elements = 100, .failed = 100, .lowest_safety_factor = 1e-9}));
 }
+
+TEST_CASE("more are needed than there are") {
+  CHECK(NeverBreaks{}.failed_elements_needed(100) == 101);
+}

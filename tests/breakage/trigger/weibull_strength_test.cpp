@@ -57,3 +57,7 @@ TEST_CASE("parameters are checked") {
   CHECK_THROWS_AS(WeibullStrength{.reference_area = -1}.validate(), InvalidInput);
   CHECK_NOTHROW(WeibullStrength{}.validate());
 }
+
+TEST_CASE("strength does not change how many failed elements are needed") {
+  CHECK(WeibullStrength{}.failed_elements_needed(100) == 40);
+}

@@ -2,7 +2,9 @@
 /// @file
 /// The role of the trigger: when does a particle with failed elements break?
 
+#include <algorithm>
 #include <concepts>
+#include <cstddef>
 
 #include <riprap/breakage/failure_tally.hpp>
 #include <riprap/core/ids.hpp>
@@ -28,12 +30,23 @@ concept BreakageTriggerStrength = !requires(T& trigger, ParticleId id, double ar
   { trigger.strength_factor(id, area) } -> std::convertible_to<double>;
 };
 
+/// Optional: `trigger.failed_elements_needed(elements)`: with fewer failed elements, of so many, it
+/// never fires; more than there are if it never does. Particles that cannot have come so far since
+/// they were last evaluated are passed over, and break in the same step all the same. Const, for it
+/// must be the same whenever it is asked for.
+template <class T>
+concept BreakageTriggerNeeded = !requires(T& trigger, std::size_t elements) {
+  trigger.failed_elements_needed(elements);
+} || requires(const T& trigger, const std::size_t elements) {
+  { trigger.failed_elements_needed(elements) } -> std::convertible_to<std::size_t>;
+};
+
 }  // namespace clauses
 
 /// A `BreakageTrigger` decides from the tally of one evaluation.
 template <class T>
-concept BreakageTrigger =
-    Policy<T> && clauses::BreakageTriggerCall<T> && clauses::BreakageTriggerStrength<T>;
+concept BreakageTrigger = Policy<T> && clauses::BreakageTriggerCall<T> &&
+                          clauses::BreakageTriggerStrength<T> && clauses::BreakageTriggerNeeded<T>;
 
 template <class T>
 consteval bool check_trigger() {
@@ -43,7 +56,24 @@ consteval bool check_trigger() {
   static_assert(clauses::BreakageTriggerStrength<T>,
                 "riprap: strength_factor of a BreakageTrigger must be double "
                 "strength_factor(ParticleId, double area) const");
+  static_assert(clauses::BreakageTriggerNeeded<T>,
+                "riprap: failed_elements_needed of a BreakageTrigger must be std::size_t "
+                "failed_elements_needed(std::size_t elements) const");
   return BreakageTrigger<T>;
+}
+
+/// The fewest failed elements, of so many, whose share reaches `critical`; one more than there are
+/// if none does. By the comparison that triggers make, so that round-off agrees.
+[[nodiscard]] inline std::size_t failed_elements_for_ratio(std::size_t elements, double critical) {
+  const auto reached = [&](std::size_t failed) {
+    return FailureTally{.elements = elements, .failed = failed}.ratio() >= critical;
+  };
+  if (!reached(elements)) return elements + 1;
+  auto failed = static_cast<std::size_t>(
+      std::clamp(critical * static_cast<double>(elements), 0.0, static_cast<double>(elements)));
+  while (failed > 0 && reached(failed - 1)) --failed;
+  while (!reached(failed)) ++failed;
+  return failed;
 }
 
 }  // namespace riprap

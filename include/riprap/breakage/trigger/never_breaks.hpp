@@ -10,6 +10,9 @@ namespace riprap {
 /// Always false.
 struct NeverBreaks {
   [[nodiscard]] bool operator()(const FailureTally&) const { return false; }
+  [[nodiscard]] std::size_t failed_elements_needed(std::size_t elements) const {
+    return elements + 1;
+  }
 };
 
 static_assert(BreakageTrigger<NeverBreaks>);

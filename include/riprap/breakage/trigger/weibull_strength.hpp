@@ -29,6 +29,9 @@ struct WeibullStrength {
   [[nodiscard]] bool operator()(const FailureTally& tally) const {
     return tally.ratio() >= critical;
   }
+  [[nodiscard]] std::size_t failed_elements_needed(std::size_t elements) const {
+    return failed_elements_for_ratio(elements, critical);
+  }
   void validate() const {
     require_positive("WeibullStrength.modulus", modulus);
     require_positive("WeibullStrength.reference_area", reference_area);

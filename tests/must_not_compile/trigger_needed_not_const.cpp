@@ -1,0 +1,11 @@
+// riprap: failed_elements_needed of a BreakageTrigger must be std::size_t
+// failed_elements_needed(std::size_t elements) const
+#include <riprap/simulation/model.hpp>
+using namespace riprap;
+
+struct Mine {
+  bool operator()(const FailureTally& tally) const { return tally.failed > 0; }
+  std::size_t failed_elements_needed(std::size_t) { return 1; }
+};
+
+const auto model = Model{}.trigger(Mine{});
