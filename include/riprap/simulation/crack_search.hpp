@@ -9,6 +9,8 @@
 #include <vector>
 
 #include <riprap/breakage/crack.hpp>
+#include <riprap/core/execution/serial.hpp>
+#include <riprap/core/step_part.hpp>
 #include <riprap/particle/particles.hpp>
 #include <riprap/simulation/particle_stress.hpp>
 
@@ -35,18 +37,20 @@ class CrackSearch {
 
   /// Cracks in the order of particle ids; the reference is good until the next call.
   /// @param mean_area of the intact particles [m^2]
-  template <class BreakagePart, class Contacts, class StressPart>
+  /// @param lap is told when a part of the step is done
+  template <class BreakagePart, class Contacts, class StressPart, Execution E = Serial,
+            class Lap = NoLaps>
   const Cracks& find(const BreakagePart& breakage, const Particles& particles,
                      const Contacts& contacts, ParticleStress<StressPart>& stresses,
-                     double mean_area) {
+                     double mean_area, const E& execution = {}, Lap&& lap = {}) {
     refusals_.resize(particles.size());
     stresses.gather(particles, contacts);
-    suspects_.clear();
-    for (BodyIndex i = 0; i < particles.size(); ++i)
-      if (asks(breakage, particles, i, stresses)) suspects_.push_back(i);
+    find_suspects(breakage, particles, stresses, execution);
+    lap(StepPart::stress_bound);
+    if constexpr (foreseen<BreakagePart, StressPart>)
+      clear_suspects(breakage, particles, stresses, execution);
     cracks_.clear();
     for (const BodyIndex i : suspects_) {
-      if (!may_break(breakage, particles, i, stresses)) continue;
       const ElementStress& stress =
           stresses.evaluate(particles, i, load_scale(breakage.trigger, particles, i));
       const FailureTally tally = tally_failures(breakage.criterion, stress);
@@ -62,6 +66,7 @@ class CrackSearch {
     std::sort(cracks_.begin(), cracks_.end(), [&](const auto& p, const auto& q) {
       return particles.ancestry(p.first).id < particles.ancestry(q.first).id;
     });
+    lap(StepPart::stress_check);
     return cracks_;
   }
 
@@ -85,21 +90,55 @@ class CrackSearch {
     return true;
   }
 
-  // Whether the exact stresses of particle i have to decide.
-  template <class BreakagePart, class StressPart>
-  [[nodiscard]] bool may_break(const BreakagePart& breakage, const Particles& particles,
-                               BodyIndex i, ParticleStress<StressPart>& stresses) {
-    if constexpr (foreseen<BreakagePart, StressPart>) {
-      if (!forecast_) forecast_ = FailureForecast(FailureRadii::of(breakage.criterion));
-      const auto& trigger = breakage.trigger;
-      return stresses.may_break(particles, i, load_scale(trigger, particles, i), *forecast_,
-                                [&](std::size_t elements) -> std::size_t {
-                                  return trigger.failed_elements_needed(elements);
-                                });
-    } else {
-      return true;
-    }
+  // Everyone that has to be evaluated, in order.
+  template <class BreakagePart, class StressPart, Execution E>
+  void find_suspects(const BreakagePart& breakage, const Particles& particles,
+                     const ParticleStress<StressPart>& stresses, const E& execution) {
+    task_suspects_.resize(task_count(particles.size()));
+    for_each_task(execution, particles.size(),
+                  [&](std::size_t task, std::size_t first, std::size_t last) {
+                    task_suspects_[task].clear();
+                    for (auto i = static_cast<BodyIndex>(first); i < last; ++i)
+                      if (asks(breakage, particles, i, stresses)) task_suspects_[task].push_back(i);
+                  });
+    suspects_.clear();
+    for (const auto& some : task_suspects_)
+      suspects_.insert(suspects_.end(), some.begin(), some.end());
   }
+
+  // Leaves those of whom the exact stresses have to decide.
+  template <class BreakagePart, class StressPart, Execution E>
+  void clear_suspects(const BreakagePart& breakage, const Particles& particles,
+                      ParticleStress<StressPart>& stresses, const E& execution) {
+    if (workspaces_.empty()) {
+      const FailureForecast forecast(FailureRadii::of(breakage.criterion));
+      workspaces_.assign(shares, StressWorkspace{forecast});
+    }
+    const auto& trigger = breakage.trigger;
+    const auto needed = [&](std::size_t elements) -> std::size_t {
+      return trigger.failed_elements_needed(elements);
+    };
+    may_break_.resize(suspects_.size());
+    // Some at a time, for in between operators may have to be dropped.
+    constexpr std::size_t batch = 1024;
+    for (std::size_t first = 0; first < suspects_.size(); first += batch) {
+      const std::size_t last = std::min(first + batch, suspects_.size());
+      execution.run(std::min(shares, last - first), [&](std::size_t share) {
+        for (std::size_t k = first + share; k < last; k += shares) {
+          const BodyIndex i = suspects_[k];
+          may_break_[k] = stresses.may_break(particles, i, load_scale(trigger, particles, i),
+                                             needed, workspaces_[share]);
+        }
+      });
+      stresses.trim_operators();
+    }
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < suspects_.size(); ++k)
+      if (may_break_[k]) suspects_[kept++] = suspects_[k];
+    suspects_.resize(kept);
+  }
+
+  static constexpr std::size_t shares = 16;  // more than any threads are likely to be
 
   /// A refused cut and the partners it was refused under.
   struct Refusal {
@@ -108,8 +147,10 @@ class CrackSearch {
   };
 
   std::vector<Refusal> refusals_;
+  std::vector<std::vector<BodyIndex>> task_suspects_;
   std::vector<BodyIndex> suspects_;
-  std::optional<FailureForecast> forecast_;  // of the criterion of the first search
+  std::vector<unsigned char> may_break_;     // suspect by suspect
+  std::vector<StressWorkspace> workspaces_;  // with the criterion of the first search
   Cracks cracks_;
 };
 

@@ -3,6 +3,7 @@
 /// The influence operators of all particles, within a budget of memory.
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -52,23 +53,28 @@ class OperatorStore {
     if (slots_.size() < particles.size()) slots_.resize(particles.size());
     Held<InfluenceOperator>& held = slots_[i].exact;
     held.turn = turn_;
-    if (!held.op) keep(held, build(particles, i), i);
+    if (!held.op) {
+      keep(held, build(particles, i));
+      make_room(i);
+    }
     return *held.op;
   }
-  /// Its compact form; likewise.
+  /// Its compact form; good until the next `trim`. After `begin_turn` threads may ask at once, each
+  /// for other particles.
   const CompactOperator& compact(const Particles& particles, BodyIndex i) {
-    if (slots_.size() < particles.size()) slots_.resize(particles.size());
     Held<CompactOperator>& held = slots_[i].compact;
     held.turn = turn_;
     if (!held.op) {
       const Slot& slot = slots_[i];
-      keep(held,
-           std::make_unique<CompactOperator>(slot.exact.op ? CompactOperator(*slot.exact.op)
-                                                           : CompactOperator(*build(particles, i))),
-           i);
+      keep(held, std::make_unique<CompactOperator>(slot.exact.op
+                                                       ? CompactOperator(*slot.exact.op)
+                                                       : CompactOperator(*build(particles, i))));
     }
     return *held.op;
   }
+
+  /// Drops operators if there is no room for all.
+  void trim() { make_room(static_cast<BodyIndex>(slots_.size())); }
 
  private:
   template <class Op>
@@ -89,10 +95,9 @@ class OperatorStore {
   }
 
   template <class Op>
-  void keep(Held<Op>& held, std::unique_ptr<Op> op, BodyIndex i) {
+  void keep(Held<Op>& held, std::unique_ptr<Op> op) {
     held.op = std::move(op);
-    bytes_ += held.op->bytes();
-    if (bytes_ > budget_) make_room(i);
+    std::atomic_ref(bytes_).fetch_add(held.op->bytes());
   }
   template <class Op>
   void drop(Held<Op>& held) {
@@ -103,6 +108,7 @@ class OperatorStore {
   // Down to seven eighths of the budget, for the search is long; exact operators first, for fewer
   // particles need theirs again. Those of particle `in_use` stay.
   void make_room(BodyIndex in_use) {
+    if (bytes_ <= budget_) return;
     const std::size_t goal = budget_ - budget_ / 8;
     drop_oldest(&Slot::exact, in_use, goal);
     drop_oldest(&Slot::compact, in_use, goal);

@@ -20,6 +20,14 @@
 
 namespace riprap {
 
+/// What one thread needs to find out whether a particle may break; kept for its memory.
+struct StressWorkspace {
+  FailureForecast forecast;
+  std::vector<BoundaryLoad> settled{};
+  std::vector<OutlinePoint> places{};
+  CompactStress stress{};
+};
+
 /// Keeps the influence operators of all particles, the contact loads as of the last `gather`, and
 /// the loads under which each particle was last known not to break.
 template <class StressPart>
@@ -84,32 +92,34 @@ class ParticleStress {
 
   /// Evaluates particle i in single precision. False: a trigger that needs `needed(elements)`
   /// failed elements does not fire, nor under loads that are near enough; true: it may, and
-  /// `evaluate` decides.
+  /// `evaluate` decides. Threads may ask at once, each for other particles and with a workspace of
+  /// its own; `trim_operators` belongs between.
   template <class Needed>
-  bool may_break(const Particles& particles, BodyIndex i, double scale, FailureForecast& forecast,
-                 const Needed& needed)
+  [[nodiscard]] bool may_break(const Particles& particles, BodyIndex i, double scale,
+                               const Needed& needed, StressWorkspace& work)
     requires linear
   {
     const CompactOperator& op = operators_.compact(particles, i);
     const Rotation& rotation = particles.body(i).rotation;
-    settled_.clear();
-    places_.clear();
+    work.settled.clear();
+    work.places.clear();
     for (const ContactLoad& load : loads(i)) {
       const OutlinePoint place = op.outline().nearest(rotation.inverse_times(load.arm));
-      settled_.push_back({place.at, rotation.inverse_times(load.force), load.normal_force});
-      places_.push_back(place);
+      work.settled.push_back({place.at, rotation.inverse_times(load.force), load.normal_force});
+      work.places.push_back(place);
     }
-    op.find_stress(settled_, scale, compact_stress_);
+    op.find_stress(work.settled, scale, work.stress);
     const std::size_t needed_now = needed(op.elements());
-    const FailureOutlook outlook = forecast(compact_stress_, needed_now);
+    const FailureOutlook outlook = work.forecast(work.stress, needed_now);
     const bool may = outlook.possible >= needed_now;
     if (may)
       references_[i].forget();
     else
-      references_[i].renew(loads(i), settled_, places_, rotation, op,
+      references_[i].renew(loads(i), work.settled, work.places, rotation, op,
                            outlook.harmless_change / scale);
     return may;
   }
+  void trim_operators() { operators_.trim(); }
 
   /// The operator of particle i, built now if it was not there; good until the next call.
   const InfluenceOperator& influence(const Particles& particles, BodyIndex i) {
@@ -138,9 +148,7 @@ class ParticleStress {
   // In laboratory axes: turning is left to those who need it.
   std::vector<ContactLoad> loads_;
   std::vector<BoundaryLoad> settled_;
-  std::vector<OutlinePoint> places_;
   ElementStress stress_;
-  CompactStress compact_stress_;
 };
 
 }  // namespace riprap

@@ -246,8 +246,8 @@ class Simulation {
   template <class Lap, class... Observers>
   void break_particles(Lap&& lap, Observers&... observers) {
     const CrackSearch::Cracks& cracks =
-        crack_search_.find(model_.breakage_model, particles_, contacts_, stress_, mean_area_);
-    lap(StepPart::stress_check);
+        crack_search_.find(model_.breakage_model, particles_, contacts_, stress_, mean_area_,
+                           model_.execution_policy, lap);
     if (cracks.empty()) return;
     const std::size_t first = breaks_.size();
     (hooks::before_splits(observers, *this), ...);
