@@ -1,85 +1,105 @@
-// Whole time steps of a dense sample of N sharp particles at 2 MPa, while a biaxial test shears it.
-// step/breakage checks the stress in every free particle at every step and breaks what has to
-// break; step/no_breakage leaves that out. Each N is brought to shear once, outside the timing,
-// which takes a minute; timed steps start where the last ones ended, and the servo steers on,
-// untimed. Not measured: the stages before shear, measurements and records. The counter `breaks`
-// says how many breaks fell into the timed steps: early in shear, few or none (see
-// stress/build_operator).
+// Whole time steps of dense samples in shear, with about four contacts a particle.
+//
+// step/no_breakage/N   polygons of 5 to 8 corners at 2 MPa, without stress in the particles; larger
+//                      samples repeat the cell of the smallest
+// step/breakage/P      500 sharp particles in a biaxial test at P, as examples/biaxial runs it: the
+//                      stress is checked in each at every step, and what has to break breaks. The
+//                      counters say what share of the time the checks are. Timed in the first 3 %
+//                      of strain; the servo steers on, untimed
+// threads/T            5,000 polygons at 8 MPa with breakage on T threads; mind the real time
+//
+// Each sample is brought to shear once, outside the timing, which takes some seconds.
 
 #include <map>
 
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/measurement/coordination.hpp>
+#include <riprap/measurement/step_timer.hpp>
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
 
+#ifdef _OPENMP
+#include <riprap/core/execution/threads.hpp>
+#endif
+
 #include "support.hpp"
+#include "tiled_sample.hpp"
 
 namespace bench {
 namespace {
 
-// A biaxial test in shear, from where the program of the test has left it.
-class Sheared {
- public:
-  explicit Sheared(unsigned count)
-      : sim(Model{}, random_assembly({.count = count, .mean_diameter = size}), Rock{}) {
-    sim.set_breakage(false);
-    rate_ = test.run(sim).axial_rate;
-    (void)sim.failed_ratios();  // builds the operators that are not there yet
-    steer(0);
+[[nodiscard]] const DenseCell& blunt_cell(double pressure) {
+  static std::map<double, DenseCell> cells;
+  const auto found = cells.find(pressure);
+  if (found != cells.end()) return found->second;
+  return cells.emplace(pressure, dense_cell(blunt, pressure)).first->second;
+}
+
+template <class Sim>
+void step_on(benchmark::State& state, Sim& sim) {
+  for (auto _ : state) sim.step();
+  count_time(state, "particle-step", static_cast<double>(sim.particles().size()));
+  state.counters["contacts/particle"] =
+      coordination(sim.contacts(), sim.particles()).contacts_per_particle;
+}
+
+void no_breakage(benchmark::State& state) {
+  const auto cells = static_cast<unsigned>(state.range(0)) / 500;
+  const unsigned rows = cells >= 100 ? 10 : cells >= 10 ? 2 : 1;
+  auto sim = sheared(Model{}.criterion(NeverFails{}), blunt_cell(2e6), cells / rows, rows);
+  step_on(state, sim);
+}
+BENCHMARK(no_breakage)->Name("step/no_breakage")->Arg(500)->Arg(5000)->Arg(100000);
+
+// Keeps what a timer says at the beginning of shear.
+struct BeforeShear {
+  const StepTimer& timer;
+  StepTimer then{};
+  void begin_stage(const auto& view) {
+    if (view.stage == Stage::shear) then = timer;
   }
-
-  // Shortens axis 2 on and holds the stress along axis 1.
-  void steer(double time) {
-    const double area = sim.boundary().region(sim.particles()).area();
-    const double thickness = sim.particles().thickness();
-    const double stress = average_stress(sim.contacts(), area, thickness).s11;
-    sim.boundary().set_rate(servo_.rate(pressure - stress, time), rate_);
-  }
-
-  Simulation<Model<>> sim;
-
- private:
-  static constexpr double pressure = 2e6;
-  // Barely relaxed: the pressure that comes next is what counts.
-  static constexpr BiaxialTest test{
-      .confining_pressure = pressure, .axial_strain = 0.002, .rest_unbalanced_force = 0.1};
-
-  double rate_ = 0;
-  // As in the test: a sample as stiff as k_n / 2t, answered in the time of a pressure wave.
-  PressureServo servo_{0.5 * LinearSpringCoulomb{}.normal_stiffness / size, 4e-4, 20};
 };
 
-[[nodiscard]] Sheared& sheared(unsigned count) {
-  static std::map<unsigned, Sheared> samples;
-  return samples.try_emplace(count, count).first->second;
-}
-
-template <bool breakage>
-void step(benchmark::State& state) {
-  Sheared& sample = sheared(static_cast<unsigned>(state.range(0)));
-  auto& sim = sample.sim;
-  sim.set_breakage(breakage);
-  const std::size_t breaks = sim.breaks().size();
-
-  constexpr int between_steering = 32;
-  int steps = 0;
+// A biaxial test of which every step of shear is timed.
+void breakage(benchmark::State& state, double pressure) {
+  RandomAssembly options{.count = 500, .mean_diameter = size};
+  Simulation sim{Model{}, random_assembly(options), Rock{}};
+  StepTimer timer;
+  BeforeShear before{timer};
   for (auto _ : state) {
-    sim.step();
-    if (++steps % between_steering != 0) continue;
-    state.PauseTiming();
-    sample.steer(between_steering * sim.time_step());
-    state.ResumeTiming();
+    BiaxialTest{.confining_pressure = pressure, .axial_strain = 0.03}.run(sim, timer, before);
+    const auto seconds = [&](StepPart part) {
+      return timer.seconds(part) - before.then.seconds(part);
+    };
+    const auto steps = static_cast<double>(timer.particle_steps() - before.then.particle_steps());
+    const double checks = seconds(StepPart::stress_bound) + seconds(StepPart::stress_check) +
+                          seconds(StepPart::splitting);
+    const double all = timer.seconds() - before.then.seconds() - seconds(StepPart::elsewhere);
+    state.SetIterationTime(all);
+    state.counters["ns/particle-step"] = 1e9 * all / steps;
+    state.counters["ns of it checks"] = 1e9 * checks / steps;
   }
-  const Particles& particles = sim.particles();
-  count_time(state, "particle-step", static_cast<double>(particles.size()));
-  state.counters["contacts/particle"] =
-      coordination(sim.contacts(), particles).contacts_per_particle;
-  state.counters["breaks"] = static_cast<double>(sim.breaks().size() - breaks);
+  state.counters["breaks"] = static_cast<double>(sim.breaks().size());
 }
+BENCHMARK_CAPTURE(breakage, 2MPa, 2e6)
+    ->Name("step/breakage/2MPa")
+    ->Iterations(1)
+    ->UseManualTime()
+    ->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(breakage, 14MPa, 14e6)
+    ->Name("step/breakage/14MPa")
+    ->Iterations(1)
+    ->UseManualTime()
+    ->Unit(benchmark::kSecond);
 
-BENCHMARK(step<false>)->Name("step/no_breakage")->Arg(500)->Arg(2000);
-BENCHMARK(step<true>)->Name("step/breakage")->Arg(500)->Arg(2000);
+#ifdef _OPENMP
+void threads(benchmark::State& state) {
+  auto sim =
+      sheared(Model{}.execution(Threads{static_cast<int>(state.range(0))}), blunt_cell(8e6), 5, 2);
+  step_on(state, sim);
+}
+BENCHMARK(threads)->Name("threads")->Arg(1)->Arg(2)->UseRealTime();
+#endif
 
 }  // namespace
 }  // namespace bench

@@ -49,3 +49,18 @@ TEST_CASE("a thousand warm steps allocate nothing, new lists of neighbours inclu
   CHECK(allocations == before);
   CHECK(pairs() != pairs_before);  // there were new lists
 }
+
+TEST_CASE("a split costs some 1,600 allocations, most of them for the operators of the pieces") {
+  Simulation sim{Model{}, random_assembly({.count = 200, .seed = 5}), Rock{}};
+  sim.boundary().set_rate(10, 10);
+  std::size_t in_splits = 0;
+  for (int k = 0; k < 20'000 && sim.breaks().size() < 20; ++k) {
+    const std::size_t before = allocations;
+    const std::size_t breaks = sim.breaks().size();
+    sim.step();
+    if (sim.breaks().size() > breaks) in_splits += allocations - before;
+  }
+  REQUIRE(sim.breaks().size() >= 20);
+  const double each = static_cast<double>(in_splits) / static_cast<double>(sim.breaks().size());
+  CHECK(each < 2000);
+}
