@@ -14,6 +14,8 @@ int main(int argc, char** argv) {
       run_choices_periodic(options);
     else if (!options.compiled_in())
       run_choices_particles(options);
+    else if (options.timer)
+      run_timed(options);
     else if (options.breakage)
       run_with_inertia_relief(options);
     else

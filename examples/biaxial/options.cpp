@@ -31,6 +31,18 @@ void read_vertices(const std::string& text, Options& options) {
   }
 }
 
+// What goes together, and with this build.
+void check_combination(const Options& options) {
+#ifndef _OPENMP
+  if (options.threads > 1)
+    throw CLI::ValidationError("--threads", "this program was built without OpenMP, which was not "
+                                            "found: it has one thread");
+#endif
+  if (options.timer && !options.compiled_in())
+    throw CLI::ValidationError("--timer", "goes with the default boundary, contact law, integrator "
+                                          "and support only");
+}
+
 }  // namespace
 
 Options read_options(int argc, char** argv) {
@@ -76,9 +88,13 @@ Options read_options(int argc, char** argv) {
                  "of a piece, diameter over least width [-]");
   app.add_option("--out", o.out, "folder for the results");
   app.add_flag("--paraview", o.paraview, "write a series for ParaView into the folder as well");
+  app.add_option("--threads", o.threads, "that share the work; changes no result")
+      ->check(CLI::Range(1, 1024));
+  app.add_flag("--timer", o.timer, "print which part of a step takes how much time");
   try {
     app.parse(argc, argv);
     read_vertices(vertices, o);
+    check_combination(o);
   } catch (const CLI::ParseError& error) {
     std::exit(app.exit(error));
   }

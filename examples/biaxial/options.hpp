@@ -7,10 +7,14 @@
 #include <riprap/breakage/criterion/criterion_choice.hpp>
 #include <riprap/breakage/line_fit/line_fit_choice.hpp>
 #include <riprap/contact/law/contact_law_choice.hpp>
+#include <riprap/core/execution/serial.hpp>
 #include <riprap/dynamics/integrator/integrator_choice.hpp>
 #include <riprap/riprap.hpp>
 #include <riprap/stress/plane_state/plane_state_choice.hpp>
 #include <riprap/stress/support/support_choice.hpp>
+#ifdef _OPENMP
+#include <riprap/core/execution/threads.hpp>
+#endif
 
 struct Options {
   unsigned particles = 500;
@@ -37,11 +41,14 @@ struct Options {
   double maximum_piece_aspect = 3;
   std::string out = "biaxial-out";
   bool paraview = false;
+  int threads = 1;
+  bool timer = false;
 
-  // Do contact law, integrator and support have their defaults, for which there is a program
-  // without choices?
+  // Do contact law, integrator, support and boundary have their defaults, for which there are
+  // programs without choices?
   [[nodiscard]] bool compiled_in() const {
-    return contact == "linear" && integrator == "euler" && support == "inertia-relief";
+    return contact == "linear" && integrator == "euler" && support == "inertia-relief" &&
+           boundary == "particles";
   }
 };
 
@@ -59,6 +66,20 @@ using AnyIntegrator = riprap::IntegratorChoice<riprap::SymplecticEuler, riprap::
 using AnySupport = riprap::SupportChoice<riprap::InertiaRelief, riprap::TwoPinnedContacts>;
 using AnyPlane = riprap::PlaneStateChoice<riprap::PlaneStress, riprap::PlaneStrain>;
 
+// One thread or several: a choice costs nothing here, for it is made once for all tasks.
+struct AnyExecution {
+  int threads = 1;
+
+  template <class Work>
+  void run(std::size_t tasks, Work&& work) const {
+#ifdef _OPENMP
+    if (threads > 1) return riprap::Threads{threads}.run(tasks, work);
+#endif
+    riprap::Serial{}.run(tasks, work);
+  }
+};
+static_assert(riprap::Execution<AnyExecution>);
+
 // What is chosen at run time goes through one more model of its role ...
 AnyCriterion chosen_criterion(const Options& options);
 AnyLineFit chosen_line_fit(const Options& options);
@@ -67,10 +88,12 @@ AnyContact chosen_contact(const Options& options);
 AnyIntegrator chosen_integrator(const Options& options);
 AnySupport chosen_support(const Options& options);
 
-// ... and costs a little in the hot loops, so that the default has two programs of its own. Which
-// boundary there is decides at compile time whether the plane is periodic. One source file each.
+// ... and costs a little in the hot loops, so that the default has two programs of its own, and one
+// that reads a clock. Which boundary there is decides at compile time whether the plane is
+// periodic. One source file each.
 void run_with_inertia_relief(const Options& options);
 void run_without_breakage(const Options& options);
+void run_timed(const Options& options);
 void run_choices_particles(const Options& options);
 void run_choices_platens(const Options& options);
 void run_choices_periodic(const Options& options);

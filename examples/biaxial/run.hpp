@@ -23,7 +23,8 @@ inline auto breakable_model(const Options& o) {
       .trigger(riprap::FailedElementRatio{.critical = o.ratf})
       .splitter(riprap::StraightCut{.minimum_area = o.minimum_piece_area,
                                     .maximum_aspect = o.maximum_piece_aspect})
-      .check_every(o.check_every);
+      .check_every(o.check_every)
+      .execution(AnyExecution{o.threads});
 }
 
 // The same with a choice of contact law, integrator and support.
@@ -108,8 +109,8 @@ struct OptionalSeries {
   }
 };
 
-template <class ModelType>
-void run(const Options& o, ModelType model) {
+template <class ModelType, class... Observers>
+void run(const Options& o, ModelType model, Observers&... observers) {
   using namespace riprap;
   const std::filesystem::path folder = o.out;
   std::filesystem::create_directories(folder);
@@ -130,7 +131,7 @@ void run(const Options& o, ModelType model) {
   };
   BiaxialResult result;
   try {
-    result = test.run(sim, curve, Pictures{folder}, series, progress);
+    result = test.run(sim, curve, Pictures{folder}, series, progress, observers...);
   } catch (...) {
     write_records();  // what was computed is kept
     throw;

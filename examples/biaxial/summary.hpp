@@ -239,6 +239,7 @@ Json summary(const Options& o, const Sim& sim, const riprap::BiaxialTest& test,
           {"grading_before_and_after", grading_json(sim.particles())},
           {"energy_error", curve.points().back().energy_error()},
           {"stages", stages},
+          {"threads", sim.model().execution_policy.threads},
           {"warnings", warnings}};
 }
 

@@ -85,6 +85,19 @@ struct ToAndFro {
   void validate() const {}
 };
 
+/// Takes lists of an earlier search for its own.
+struct NeverForgets : AllPairs {
+  struct Workspace {
+    std::vector<internal::BodyPair> pairs;
+  };
+  using AllPairs::visit_pairs;
+  template <class Visit>
+  void visit_pairs(std::span<const Box> boxes, Workspace& workspace, Visit&& visit) const {
+    if (workspace.pairs.empty()) workspace.pairs = internal::visited_pairs(AllPairs{}, boxes);
+    for (const auto& [i, j] : workspace.pairs) visit(i, j);
+  }
+};
+
 }  // namespace
 
 TEST_CASE("the broad phases of riprap obey the axioms") {
@@ -130,6 +143,12 @@ TEST_CASE("a broad phase without order is found out") {
                  "the lower index comes first: pairs turned round");
   check_violated(broad_phase_violations(ToAndFro{}),
                  "the order of visits depends on the boxes only");
+}
+
+TEST_CASE("a broad phase whose memory changes its pairs is found out") {
+  const Violations violations = broad_phase_violations(NeverForgets{});
+  check_violated(violations, "what it keeps from search to search changes no pair");
+  CHECK(violations.size() == 1);
 }
 
 TEST_CASE("a broad phase with a negative skin is found out") {

@@ -51,6 +51,7 @@ Outcome crushed(const ModelType& model) {
 
 TEST_CASE("a whole simulation of archetypes breaks a square as the models behind them do") {
   const auto archetypes = Model{}
+                              .execution(archetype::Execution{0})
                               .broad_phase(archetype::BroadPhase{0})
                               .narrow_phase(archetype::NarrowPhase{0})
                               .contact(archetype::ContactLaw{0})
@@ -75,6 +76,7 @@ TEST_CASE("a whole simulation of archetypes breaks a square as the models behind
 
 TEST_CASE("an archetype gets on with shipped models in all other roles") {
   const Outcome expected = crushed(shipped);
+  CHECK(crushed(shipped.execution(archetype::Execution{0})) == expected);
   CHECK(crushed(shipped.broad_phase(archetype::BroadPhase{0})) == expected);
   CHECK(crushed(shipped.narrow_phase(archetype::NarrowPhase{0})) == expected);
   CHECK(crushed(shipped.contact(archetype::ContactLaw{0})) == expected);

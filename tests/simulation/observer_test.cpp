@@ -13,6 +13,15 @@ struct Some {
   void on_break(int sim, int event) { calls.push_back(10 * sim + event); }
 };
 struct None {};
+struct StopWatch {
+  std::vector<StepPart> laps;
+  void lap(StepPart part) { laps.push_back(part); }
+};
+
+// Who measures no time has none measured: a step reads a clock for the first only.
+static_assert(hooks::has_lap<StopWatch>);
+static_assert(!hooks::has_lap<None>);
+static_assert(!hooks::has_lap<Some>);
 
 }  // namespace
 
@@ -29,4 +38,14 @@ TEST_CASE("an observer is called for the hooks it has and left alone for the oth
   None none;
   hooks::before_forces(none, 1);
   hooks::on_break(none, 1, 2);
+}
+
+TEST_CASE("an observer with a stop-watch is told the part of the step") {
+  StopWatch watch;
+  hooks::lap(watch, StepPart::broad_phase);
+  hooks::lap(watch, StepPart::elsewhere);
+  CHECK(watch.laps == std::vector<StepPart>{StepPart::broad_phase, StepPart::elsewhere});
+
+  None none;
+  hooks::lap(none, StepPart::broad_phase);
 }

@@ -55,6 +55,14 @@ class State {
   T value{};
 };
 
+struct Execution : Copyable {
+  using Copyable::Copyable;
+  template <class Work>
+  void run(Takes<std::size_t> tasks, Work work) const {
+    Serial{}.run(tasks.get(), work);
+  }
+};
+
 struct BroadPhase : Copyable {
   using Copyable::Copyable;
   Gives<double> relative_skin{AllPairs{}.relative_skin};

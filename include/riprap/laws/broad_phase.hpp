@@ -24,8 +24,27 @@ template <BroadPhase Broad>
   return pairs;
 }
 
+/// That memory from searches for other boxes, if it keeps any, changes nothing.
 template <BroadPhase Broad>
-void check_pairs(const Broad& broad, std::span<const Box> boxes, AxiomCheck& check) {
+class WorkspaceCheck {
+ public:
+  void operator()(const Broad& broad, std::span<const Box> boxes,
+                  const std::vector<BodyPair>& expected, AxiomCheck& check) {
+    if constexpr (requires { typename Broad::Workspace; }) {
+      std::vector<BodyPair> pairs;
+      broad.visit_pairs(boxes, workspace_,
+                        [&pairs](BodyIndex i, BodyIndex j) { pairs.emplace_back(i, j); });
+      check.holds("what it keeps from search to search changes no pair", pairs == expected);
+    }
+  }
+
+ private:
+  typename clauses::WorkspaceOf<Broad>::type workspace_{};
+};
+
+template <BroadPhase Broad>
+void check_pairs(const Broad& broad, std::span<const Box> boxes, WorkspaceCheck<Broad>& workspace,
+                 AxiomCheck& check) {
   check.at("number of boxes", static_cast<double>(boxes.size()));
   const std::vector<BodyPair> pairs = visited_pairs(broad, boxes);
   const std::set<BodyPair> found(pairs.begin(), pairs.end());
@@ -50,6 +69,7 @@ void check_pairs(const Broad& broad, std::span<const Box> boxes, AxiomCheck& che
               static_cast<double>(found.size()), 0);
   check.holds("the order of visits depends on the boxes only",
               visited_pairs(broad, boxes) == pairs);
+  workspace(broad, boxes, pairs, check);
 }
 
 /// Boxes of `smallest` to `largest` [m] in a square of `extent` [m] somewhere in the plane.
@@ -71,28 +91,29 @@ void check_pairs(const Broad& broad, std::span<const Box> boxes, AxiomCheck& che
 template <BroadPhase Broad>
 [[nodiscard]] Violations broad_phase_violations(const Broad& broad) {
   AxiomCheck check;
+  internal::WorkspaceCheck<Broad> workspace;
   check.at_least("the skin is not negative", broad.relative_skin, 0);
   Random random(1);
   for (const unsigned count : {0u, 1u, 2u, 300u})
     for (const double extent : {0.05, 0.3, 5.0})
       internal::check_pairs(broad, internal::random_boxes(random, count, extent, 0.01, 0.02),
-                            check);
-  internal::check_pairs(broad, internal::random_boxes(random, 200, 1, 1e-4, 0.5), check);
+                            workspace, check);
+  internal::check_pairs(broad, internal::random_boxes(random, 200, 1, 1e-4, 0.5), workspace, check);
 
   std::vector<Box> sample = internal::random_boxes(random, 100, 0.3, 0.01, 0.02);
   sample.insert(sample.begin() + 50, Box{{-9, -9}, {9, 9}});
-  internal::check_pairs(broad, sample, check);
+  internal::check_pairs(broad, sample, workspace, check);
 
   std::vector<Box> tiles;
   for (int i = 0; i < 36; ++i) {
     const Vec2 low{i % 6, i / 6};
     tiles.push_back({low, low + Vec2{1, 1}});
   }
-  internal::check_pairs(broad, tiles, check);
+  internal::check_pairs(broad, tiles, workspace, check);
   std::vector<Box> row;
   for (int i = 0; i < 40; ++i) row.push_back({{0.7 * i, 2}, {0.7 * i + 1, 3}});
-  internal::check_pairs(broad, row, check);
-  internal::check_pairs(broad, std::vector<Box>(10, Box{{1, 1}, {2, 2}}), check);
+  internal::check_pairs(broad, row, workspace, check);
+  internal::check_pairs(broad, std::vector<Box>(10, Box{{1, 1}, {2, 2}}), workspace, check);
   return std::move(check).violations();
 }
 

@@ -37,8 +37,31 @@ struct ChangesTheRing : archetype::NarrowPhase {
 struct ChangesTheOtherRing : archetype::NarrowPhase {
   std::optional<ContactGeometry> operator()(Ring, Ring&, Memory&) const { return {}; }
 };
+struct TellsClearance : archetype::NarrowPhase {
+  archetype::Gives<double> clearance(archetype::Takes<Memory>) const {
+    return archetype::Gives(0.0);
+  }
+};
+struct ClearanceNotConst : archetype::NarrowPhase {
+  double clearance(const Memory&) { return 0; }
+};
+struct ClearanceChangesTheMemory : archetype::NarrowPhase {
+  double clearance(Memory&) const { return 0; }
+};
+struct ClearanceIsNoNumber : archetype::NarrowPhase {
+  Vec2 clearance(const Memory&) const { return {0, 0}; }
+};
+// Another member of that name is none of ours.
+struct ClearanceOfRings : archetype::NarrowPhase {
+  double clearance(Ring, Ring) const { return 0; }
+};
 
 static_assert(NarrowPhase<archetype::NarrowPhase>);
+static_assert(NarrowPhase<TellsClearance>);
+static_assert(NarrowPhase<ClearanceOfRings>);
+static_assert(!NarrowPhase<ClearanceNotConst>);
+static_assert(!NarrowPhase<ClearanceChangesTheMemory>);
+static_assert(!NarrowPhase<ClearanceIsNoNumber>);
 static_assert(!NarrowPhase<WithoutMemory>);
 static_assert(!NarrowPhase<MemoryThatMustBeMade>);
 static_assert(!NarrowPhase<MemoryThatStays>);

@@ -4,8 +4,10 @@
 
 #include <riprap/core/execution/concepts.hpp>
 #include <riprap/core/execution/serial.hpp>
+#include <support/archetypes.hpp>
 
 using namespace riprap;
+namespace archetype = riprap::test::archetype;
 
 namespace {
 
@@ -16,8 +18,23 @@ struct TakesAFunctionPointer {
   void run(std::size_t, void (*)(std::size_t)) const {}
 };
 struct WithoutRun {};
+struct CountsInAReference {
+  void run(std::size_t&, auto&&) const {}
+};
+struct ChangesTheWork {
+  template <class Work>
+  void run(std::size_t, Work&) const {}
+};
+struct NotCopyable : archetype::Execution {
+  using archetype::Execution::Execution;
+  NotCopyable(const NotCopyable&) = delete;
+};
 
 static_assert(Execution<Serial>);
+static_assert(Execution<archetype::Execution>);
+static_assert(!Execution<CountsInAReference>);
+static_assert(!Execution<ChangesTheWork>);
+static_assert(!Execution<NotCopyable>);
 static_assert(!Execution<ChangesItself>);
 static_assert(!Execution<TakesAFunctionPointer>);
 static_assert(!Execution<WithoutRun>);

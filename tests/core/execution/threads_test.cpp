@@ -31,6 +31,15 @@ TEST_CASE("of several exceptions that of the first task comes out, when all task
   CHECK(done == std::vector<int>(100, 1));
 }
 
+TEST_CASE("no more threads are at work than there are tasks") {
+  int team = 0;
+  Threads{5}.run(2, [&](std::size_t k) {
+    if (k == 0) team = omp_get_num_threads();
+  });
+  CHECK(team >= 1);
+  CHECK(team <= 2);
+}
+
 TEST_CASE("a number of threads below one is an error") {
   CHECK_THROWS_WITH_AS(
       Simulation(Model{}.execution(Threads{0}), random_assembly({.count = 50}), Rock{}),
@@ -42,8 +51,9 @@ namespace {
 // Everything that a particle is, byte by byte.
 template <class Execution>
 std::string state_after_crushing(Execution execution) {
-  // More than one task, so that bodies have contacts in other tasks than their own.
-  Simulation sim{Model{}.execution(execution), random_assembly({.count = 300, .seed = 3}), Rock{}};
+  // More than one task, so that bodies have contacts in other tasks than their own; weak particles.
+  Simulation sim{Model{}.execution(execution).trigger(FailedElementRatio{.critical = 0.1}),
+                 random_assembly({.count = 300, .seed = 3}), Rock{}};
   BiaxialTest{.confining_pressure = 14e6, .axial_strain = 0.003, .rest_unbalanced_force = 0.1}.run(
       sim);
   REQUIRE(sim.breaks().size() > 3);

@@ -8,6 +8,8 @@
 
 #include <omp.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <limits>
 
@@ -24,8 +26,11 @@ struct Threads {
   void run(std::size_t tasks, Work&& work) const {
     std::exception_ptr error;
     std::size_t first_error = std::numeric_limits<std::size_t>::max();
+    // Idle threads are not free: all must meet at the end, and wait for a processor if need be.
+    const int busy =
+        static_cast<int>(std::clamp<std::size_t>(tasks, 1, static_cast<std::size_t>(count)));
     // Tasks are of uneven length, for some particles are checked and most are not.
-#pragma omp parallel for num_threads(count) schedule(dynamic)
+#pragma omp parallel for num_threads(busy) schedule(dynamic)
     for (std::size_t k = 0; k < tasks; ++k) {
       try {
         work(k);

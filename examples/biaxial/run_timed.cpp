@@ -1,0 +1,11 @@
+// As with inertia relief, with a stop-watch: in a file of its own, for the others read no clock.
+
+#include <riprap/measurement/step_timer.hpp>
+
+#include "run.hpp"
+
+void run_timed(const Options& options) {
+  riprap::StepTimer timer;
+  run(options, breakable_model(options), timer);
+  timer.print();
+}

@@ -1,0 +1,25 @@
+#include <riprap/core/step_part.hpp>
+
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+#include <type_traits>
+
+using namespace riprap;
+
+TEST_CASE("every part of a step has a name of its own, and elsewhere is the last") {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < step_part_count; ++i) {
+    const std::string name = to_text(static_cast<StepPart>(i));
+    CHECK(!name.empty());
+    CHECK(names.insert(name).second);
+  }
+  CHECK(static_cast<std::size_t>(StepPart::elsewhere) + 1 == step_part_count);
+  CHECK(to_text(StepPart::contact_law) == std::string("contact law"));
+}
+
+TEST_CASE("nobody's laps take no room") {
+  static_assert(std::is_empty_v<NoLaps>);
+  NoLaps{}(StepPart::integration);
+}

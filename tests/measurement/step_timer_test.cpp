@@ -1,0 +1,137 @@
+#include <riprap/measurement/step_timer.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <riprap/dynamics/integrator/velocity_verlet.hpp>
+#include <riprap/measurement/energy_ledger.hpp>
+#include <riprap/particle/random_assembly.hpp>
+#include <riprap/simulation/simulation.hpp>
+#include <support/same_run.hpp>
+
+using namespace riprap;
+
+namespace {
+
+static_assert(hooks::has_lap<StepTimer>);
+static_assert(!hooks::has_lap<EnergyLedger>);
+
+constexpr std::size_t count = 300;  // two tasks
+
+auto loose_sample() {
+  Simulation sim{Model{}.integrator(VelocityVerlet{}), random_assembly({.count = count}), Rock{}};
+  sim.boundary().set_rate(5, 5);
+  return sim;
+}
+
+double seconds_between(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string printed(const StepTimer& timer) {
+  std::FILE* file = std::tmpfile();
+  REQUIRE(file);
+  timer.print(file);
+  std::string text(static_cast<std::size_t>(std::ftell(file)), ' ');
+  std::rewind(file);
+  REQUIRE(std::fread(text.data(), 1, text.size(), file) == text.size());
+  std::fclose(file);
+  return text;
+}
+
+// Writes down what it is told.
+struct Laps {
+  std::vector<StepPart> parts;
+  void lap(StepPart part) { parts.push_back(part); }
+};
+
+}  // namespace
+
+TEST_CASE("what has passed since the last lap goes to the part that is named") {
+  const auto start = std::chrono::steady_clock::now();
+  StepTimer timer;
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  timer.lap(StepPart::narrow_phase);
+  CHECK(timer.seconds(StepPart::narrow_phase) >= 0.02);
+  CHECK(timer.seconds() == timer.seconds(StepPart::narrow_phase));
+  std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  timer.lap(StepPart::elsewhere);
+  CHECK(timer.seconds(StepPart::elsewhere) >= 0.01);
+  CHECK(timer.seconds() <= seconds_between(start));
+}
+
+TEST_CASE("the parts of a run add up to nearly all of its time") {
+  Simulation sim = loose_sample();
+  const auto start = std::chrono::steady_clock::now();
+  StepTimer timer;
+  for (int i = 0; i < 200; ++i) sim.step(timer);
+  const double all = seconds_between(start);
+  double sum = 0;
+  for (std::size_t i = 0; i < step_part_count; ++i) {
+    const double part = timer.seconds(static_cast<StepPart>(i));
+    CHECK(part >= 0);
+    sum += part;
+  }
+  CHECK(timer.seconds() == sum);
+  CHECK(sum <= all);
+  CHECK(sum >= 0.5 * all);  // the end of the last step is in no lap; others may have the processor
+  CHECK(timer.seconds(StepPart::integration) > 0);
+  CHECK(timer.seconds(StepPart::contact_law) > 0);
+  CHECK(timer.seconds(StepPart::stress_check) > 0);
+  CHECK(timer.particle_steps() == 200 * count);
+}
+
+TEST_CASE("the table has a line for every part, and for all") {
+  StepTimer timer;
+  std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  timer.lap(StepPart::splitting);
+  const std::string table = printed(timer);
+  CHECK(std::ranges::count(table, '\n') == 2 + step_part_count);
+  CHECK(table.find("splitting             100.0 %") != std::string::npos);
+  CHECK(table.find("integration             0.0 %") != std::string::npos);
+  CHECK(printed(StepTimer{}).find("nan") == std::string::npos);
+}
+
+TEST_CASE("laps come in the order in which the parts of a step run") {
+  Simulation sim = loose_sample();
+  Laps laps;
+  sim.step(laps);
+  REQUIRE(!laps.parts.empty());
+  CHECK(laps.parts.front() == StepPart::elsewhere);  // what was between the steps
+  std::vector<StepPart> first_times;
+  for (const StepPart part : laps.parts)
+    if (part != StepPart::elsewhere && std::ranges::count(first_times, part) == 0)
+      first_times.push_back(part);
+  CHECK(std::ranges::is_sorted(first_times));
+  for (const StepPart part : {StepPart::integration, StepPart::broad_phase, StepPart::narrow_phase,
+                              StepPart::contact_law, StepPart::stress_check})
+    CHECK(std::ranges::count(first_times, part) == 1);
+  // The second kick.
+  CHECK(std::ranges::count(laps.parts, StepPart::integration) == 2);
+}
+
+TEST_CASE("to be timed changes no result") {
+  Simulation timed = loose_sample();
+  Simulation plain = loose_sample();
+  StepTimer timer;
+  for (int i = 0; i < 400; ++i) {
+    timed.step(timer);
+    plain.step();
+  }
+  const auto numbers = [](const auto& sim) {
+    std::vector<double> all{sim.contacts().slipped(), sim.work().boundary, sim.work().damping};
+    for (const Body& b : sim.particles().bodies())
+      for (const double x : {b.position.x(), b.position.y(), b.rotation.sine, b.velocity.x(),
+                             b.velocity.y(), b.angular_velocity, b.contact.moment})
+        all.push_back(x);
+    return all;
+  };
+  CHECK(plain.contacts().slipped() > 0);
+  CHECK(test::same_bytes(numbers(timed), numbers(plain)));
+}
