@@ -120,7 +120,7 @@ void write_input(const Packing& packing, bool discs, const std::string& folder) 
         << "fix motion free nve/body\ncompute corners all body/local id 1 2\n";
   out << "fix field ring nve/noforce\nfix flat all enforce2d\n"
       << "timestep " << packing.time_step << "\nthermo 1000000\n"
-      << "run " << (discs ? 1000 : 200) << "\nrun " << (discs || grains.size() < 2000 ? 2000 : 300)
+      << "run " << spring_settling_steps << "\nrun " << spring_timed_steps
       << '\n'
       // What it leaves, in a run without steps.
       << (discs ? "dump end all custom 1 end id x y radius\n"

@@ -17,6 +17,10 @@ namespace peers {
 
 using namespace riprap;
 
+// Steps of the codes with springs before the clock starts and under it: the same strain for all.
+inline constexpr int spring_settling_steps = 500;
+inline constexpr int spring_timed_steps = 2000;
+
 // A sample in shear: what it is made of, how it is driven and what riprap found in it. Its ring
 // (Motion::strain_field) follows the strain-rate field.
 struct Packing {

@@ -125,7 +125,7 @@ struct LastStrains {
                      .smallest_axis_ratio = 1,
                      .largest_axis_ratio = 1,
                      .angle_jitter = 0},
-                    14e6);
+                    5e6);
   if (kind == "breakable") return breakable(count);
   throw std::runtime_error("no packing is called " + kind);
 }

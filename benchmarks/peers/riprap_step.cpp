@@ -20,8 +20,8 @@ int main(int count, char** arguments) try {
   const auto step = [&] { sim.step(); };
   const auto steer = [] {};
   const std::size_t grains = sim.particles().size();
-  (void)time_steps(200, grains, step, steer);
-  const double ns = time_steps(grains < 2000 ? 2000 : 600, grains, step, steer);
+  (void)time_steps(spring_settling_steps, grains, step, steer);
+  const double ns = time_steps(spring_timed_steps, grains, step, steer);
   print_result("riprap " RIPRAP_FLAGS,
                {{"ns", ns},
                 {"coordination", coordination(sim.contacts(), sim.particles()).coordination_number},
