@@ -18,7 +18,7 @@ class Box2D {
  public:
   explicit Box2D(const Packing& packing) : world_({0, 0}), widening_(packing) {
     world_.SetAllowSleeping(false);
-    for (const Grain& grain : packing.grains) add(grain, packing);
+    for (const PlacedParticle& grain : packing.assembly.particles) add(grain, packing);
     drive();
   }
 
@@ -52,11 +52,11 @@ class Box2D {
   }
 
  private:
-  void add(const Grain& grain, const Packing& packing) {
-    const std::vector<Vec2> ring = scaled(grain.ring, packing.mean_diameter);
+  void add(const PlacedParticle& grain, const Packing& packing) {
+    const std::vector<Vec2> ring = scaled(grain.polygon.ring(), packing.mean_diameter);
     const Vec2 centre = area_properties(ring).centroid;
     b2BodyDef definition;
-    definition.type = grain.free ? b2_dynamicBody : b2_kinematicBody;
+    definition.type = is_free(grain) ? b2_dynamicBody : b2_kinematicBody;
     definition.position = to_box2d(centre);
     b2Body* body = world_.CreateBody(&definition);
     std::vector<b2Vec2> corners;
@@ -97,9 +97,9 @@ int main(int count, char** arguments) try {
   const Packing packing = read(arguments[1]);
   Box2D engine(packing);
   const auto step = [&] { engine.step(); };
-  const auto steer = [&](int) { engine.steer(); };
-  (void)time_steps(settling_steps, packing.grains.size(), step, steer);
-  const double ns = time_steps(timed_steps, packing.grains.size(), step, steer);
+  const auto steer = [&] { engine.steer(); };
+  (void)time_steps(settling_steps, packing.assembly.particles.size(), step, steer);
+  const double ns = time_steps(timed_steps, packing.assembly.particles.size(), step, steer);
   const ContactCount contacts = engine.contacts();
   print_result("Box2D", {{"ns", ns},
                          {"coordination", contacts.coordination()},

@@ -15,7 +15,7 @@ class Chipmunk {
   explicit Chipmunk(const Packing& packing) : space_(cpSpaceNew()), widening_(packing) {
     cpSpaceSetIterations(space_, 10);
     cpSpaceSetCollisionSlop(space_, 0.005);  // of the size; the default is meant for pixels
-    for (const Grain& grain : packing.grains) add(grain, packing);
+    for (const PlacedParticle& grain : packing.assembly.particles) add(grain, packing);
     drive();
   }
   // The process ends with the engine: nothing is freed.
@@ -49,8 +49,8 @@ class Chipmunk {
   }
 
  private:
-  void add(const Grain& grain, const Packing& packing) {
-    const std::vector<Vec2> ring = scaled(grain.ring, packing.mean_diameter);
+  void add(const PlacedParticle& grain, const Packing& packing) {
+    const std::vector<Vec2> ring = scaled(grain.polygon.ring(), packing.mean_diameter);
     const AreaProperties properties = area_properties(ring);
     std::vector<cpVect> corners;
     for (const Vec2& v : ring) {
@@ -58,7 +58,7 @@ class Chipmunk {
       corners.push_back(cpv(x.x(), x.y()));
     }
     cpBody* body =
-        grain.free ? cpBodyNew(properties.area, properties.polar_moment) : cpBodyNewKinematic();
+        is_free(grain) ? cpBodyNew(properties.area, properties.polar_moment) : cpBodyNewKinematic();
     cpBodySetPosition(body, cpv(properties.centroid.x(), properties.centroid.y()));
     cpSpaceAddBody(space_, body);
     cpShape* shape = cpPolyShapeNew(body, static_cast<int>(corners.size()), corners.data(),
@@ -66,7 +66,7 @@ class Chipmunk {
     cpShapeSetFriction(shape, std::sqrt(packing.friction));  // of a pair: the product of the two
     cpShapeSetElasticity(shape, 0);
     // Grains of the ring do not meet each other.
-    if (!grain.free)
+    if (!is_free(grain))
       cpShapeSetFilter(shape, cpShapeFilterNew(1, CP_ALL_CATEGORIES, CP_ALL_CATEGORIES));
     cpSpaceAddShape(space_, shape);
     bodies_.push_back(body);
@@ -95,9 +95,9 @@ int main(int count, char** arguments) try {
   const Packing packing = read(arguments[1]);
   Chipmunk engine(packing);
   const auto step = [&] { engine.step(); };
-  const auto steer = [&](int) { engine.steer(); };
-  (void)time_steps(settling_steps, packing.grains.size(), step, steer);
-  const double ns = time_steps(timed_steps, packing.grains.size(), step, steer);
+  const auto steer = [&] { engine.steer(); };
+  (void)time_steps(settling_steps, packing.assembly.particles.size(), step, steer);
+  const double ns = time_steps(timed_steps, packing.assembly.particles.size(), step, steer);
   const ContactCount contacts = engine.contacts();
   print_result("Chipmunk", {{"ns", ns},
                             {"coordination", contacts.coordination()},

@@ -13,7 +13,7 @@ inline constexpr int settling_steps = 200;       // from riprap's packing to the
 inline constexpr int timed_steps = 200;
 
 // Engines want bodies of about a metre: lengths are divided by the mean diameter.
-[[nodiscard]] inline std::vector<Vec2> scaled(const std::vector<Vec2>& ring, double unit) {
+[[nodiscard]] inline std::vector<Vec2> scaled(Ring ring, double unit) {
   std::vector<Vec2> out;
   for (const Vec2& v : ring) out.push_back(v / unit);
   return out;

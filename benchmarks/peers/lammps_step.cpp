@@ -24,15 +24,18 @@ constexpr double skin = 0.02;  // radius of a polygon's corners over the mean di
   return out;
 }
 
-[[nodiscard]] AreaProperties properties(const Grain& grain) { return area_properties(grain.ring); }
+[[nodiscard]] AreaProperties properties(const PlacedParticle& grain) {
+  return area_properties(grain.polygon.ring());
+}
 
 // Head, atoms and velocities of a data file. `atom(out, grain)` writes what stands between the type
 // and the place.
 template <class Atom>
 void write_atoms(std::ofstream& out, const Packing& packing, bool bodies, Atom&& atom) {
-  const std::size_t count = packing.grains.size();
+  const std::vector<PlacedParticle>& grains = packing.assembly.particles;
+  const std::size_t count = grains.size();
   double reach = 0;
-  for (const Grain& g : packing.grains) reach = std::max(reach, properties(g).centroid.norm());
+  for (const PlacedParticle& g : grains) reach = std::max(reach, centroid(g).norm());
   reach += 10 * packing.mean_diameter;
   out << "packing\n\n" << count << " atoms\n";
   if (bodies) out << count << " bodies\n";
@@ -41,45 +44,46 @@ void write_atoms(std::ofstream& out, const Packing& packing, bool bodies, Atom&&
       << -reach << ' ' << reach << " ylo yhi\n"
       << -packing.mean_diameter << ' ' << packing.mean_diameter << " zlo zhi\n\nAtoms\n\n";
   for (std::size_t i = 0; i < count; ++i) {
-    const Grain& g = packing.grains[i];
-    const Vec2 x = properties(g).centroid;
-    out << i + 1 << ' ' << (g.free ? 1 : 2) << ' ';
+    const PlacedParticle& g = grains[i];
+    const Vec2 x = centroid(g);
+    out << i + 1 << ' ' << (is_free(g) ? 1 : 2) << ' ';
     atom(out, g);
     out << ' ' << x.x() << ' ' << x.y() << " 0\n";
   }
   out << "\nVelocities\n\n";
   for (std::size_t i = 0; i < count; ++i) {
-    const Grain& g = packing.grains[i];
-    const Vec2 v = g.free ? g.velocity : packing.field(properties(g).centroid);
+    const PlacedParticle& g = grains[i];
+    const Vec2 v = is_free(g) ? g.velocity : packing.field(centroid(g));
     // Turning: of a body LAMMPS wants the angular momentum, of a disc the rate.
     const double inertia =
-        bodies ? packing.density * packing.thickness * properties(g).polar_moment : 1;
-    out << i + 1 << ' ' << v.x() << ' ' << v.y() << " 0 0 0 " << inertia * g.spin << '\n';
+        bodies ? packing.density * packing.assembly.thickness * properties(g).polar_moment : 1;
+    out << i + 1 << ' ' << v.x() << ' ' << v.y() << " 0 0 0 " << inertia * g.angular_velocity
+        << '\n';
   }
 }
 
 // LAMMPS takes spheres: the density of one with the mass of the disc.
 void write_discs(const Packing& packing, const std::string& path) {
   std::ofstream out = open(path);
-  write_atoms(out, packing, false, [&](std::ofstream& line, const Grain& g) {
+  write_atoms(out, packing, false, [&](std::ofstream& line, const PlacedParticle& g) {
     const double area = properties(g).area;
     const double diameter = equivalent_diameter(area);
     const double volume = std::numbers::pi / 6 * diameter * diameter * diameter;
-    line << diameter << ' ' << packing.density * packing.thickness * area / volume;
+    line << diameter << ' ' << packing.density * packing.assembly.thickness * area / volume;
   });
 }
 
 void write_polygons(const Packing& packing, const std::string& path) {
   std::ofstream out = open(path);
-  const double areal_density = packing.density * packing.thickness;
-  write_atoms(out, packing, true, [&](std::ofstream& line, const Grain& g) {
+  const double areal_density = packing.density * packing.assembly.thickness;
+  write_atoms(out, packing, true, [&](std::ofstream& line, const PlacedParticle& g) {
     line << "1 " << areal_density * properties(g).area;
   });
   out << "\nBodies\n\n";
-  for (std::size_t i = 0; i < packing.grains.size(); ++i) {
-    const Grain& g = packing.grains[i];
+  for (std::size_t i = 0; i < packing.assembly.particles.size(); ++i) {
+    const PlacedParticle& g = packing.assembly.particles[i];
     const AreaProperties whole = properties(g);
-    const std::vector<Vec2> core = inset(g.ring, skin * packing.mean_diameter);
+    const std::vector<Vec2> core = inset(g.polygon.ring(), skin * packing.mean_diameter);
     const double inertia = areal_density * whole.polar_moment;
     out << i + 1 << " 1 " << 6 + 3 * core.size() + 1 << '\n'
         << core.size() << '\n'
@@ -92,10 +96,11 @@ void write_polygons(const Packing& packing, const std::string& path) {
 
 void write_input(const Packing& packing, bool discs, const std::string& folder) {
   std::ofstream out = open(folder + "/in");
+  const std::vector<PlacedParticle>& grains = packing.assembly.particles;
   double mean_mass = 0;
-  for (const Grain& g : packing.grains)
-    mean_mass += packing.density * packing.thickness * properties(g).area /
-                 static_cast<double>(packing.grains.size());
+  for (const PlacedParticle& g : grains)
+    mean_mass += packing.density * packing.assembly.thickness * properties(g).area /
+                 static_cast<double>(grains.size());
   // A third of critical damping in the contact of two mean grains: LAMMPS has no local damping.
   const double dashpot = 0.6 * std::sqrt(packing.stiffness * mean_mass / 2);
   out << "units si\ndimension 2\nboundary f f p\ncomm_modify vel yes\n"
@@ -115,8 +120,7 @@ void write_input(const Packing& packing, bool discs, const std::string& folder) 
         << "fix motion free nve/body\ncompute corners all body/local id 1 2\n";
   out << "fix field ring nve/noforce\nfix flat all enforce2d\n"
       << "timestep " << packing.time_step << "\nthermo 1000000\n"
-      << "run " << (discs ? 1000 : 200) << "\nrun "
-      << (discs || packing.grains.size() < 2000 ? 2000 : 300)
+      << "run " << spring_settling_steps << "\nrun " << spring_timed_steps
       << '\n'
       // What it leaves, in a run without steps.
       << (discs ? "dump end all custom 1 end id x y radius\n"
@@ -183,16 +187,16 @@ struct Placed {
   ContactCount count;
   const double rounding = discs ? 0 : 2 * skin * packing.mean_diameter;
   for (std::size_t i = 0; i < grains.size(); ++i) {
-    const bool free = packing.grains[i].free;
+    const bool free = is_free(packing.assembly.particles[i]);
     count.grain(free);
     for (std::size_t j = 0; j < i; ++j) {
-      if (!free && !packing.grains[j].free) continue;
+      if (!free && !is_free(packing.assembly.particles[j])) continue;
       const double near = grains[i].radius + grains[j].radius + rounding -
                           (grains[i].centre - grains[j].centre).norm();
       if (near <= 0) continue;
       const double depth =
           discs ? near : rounding + minimum_translation(grains[i].ring, grains[j].ring).depth;
-      if (depth > 0) count.contact(free, packing.grains[j].free, depth);
+      if (depth > 0) count.contact(free, is_free(packing.assembly.particles[j]), depth);
     }
   }
   return count;
@@ -210,8 +214,8 @@ void run(const std::string& shape, const std::string& path, const std::string& f
       "cd '" + folder + "' && OMP_NUM_THREADS=1 lmp -in in -log log -screen none >&2";
   if (std::system(command.c_str()) != 0) throw std::runtime_error("lmp failed in " + folder);
   const double ns = read_time(folder + "/log");
-  const ContactCount found =
-      contacts(packing, read_dump(folder + "/end", discs, packing.grains.size()), discs);
+  const ContactCount found = contacts(
+      packing, read_dump(folder + "/end", discs, packing.assembly.particles.size()), discs);
   print_result("LAMMPS " + shape, {{"ns", ns},
                                    {"coordination", found.coordination()},
                                    {"overlap", found.mean_depth() / packing.mean_diameter},

@@ -1,99 +1,133 @@
 // prepare KIND N FILE  makes a packing for the comparison.
-//   polygons   of 5 to 8 corners, in shear
+//   polygons   of 5 to 8 corners, in early shear
 //   discs      the same with regular polygons of 16 corners in place of discs
 //   breakable  riprap's default, sharp polygons, under pressure, not yet sheared
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <iostream>
+#include <numbers>
 #include <utility>
 
 #include <riprap/breakage/criterion/never_fails.hpp>
+#include <riprap/dynamics/boundary/periodic_cell.hpp>
+#include <riprap/experiment/biaxial_test.hpp>
+#include <riprap/measurement/coordination.hpp>
+#include <riprap/measurement/dimensionless.hpp>
 #include <riprap/particle/random_assembly.hpp>
+#include <riprap/particle/random_box_assembly.hpp>
+#include <riprap/particle/spatial_order.hpp>
+#include <riprap/simulation/simulation.hpp>
 
-#include "sheared.hpp"
+#include "packing.hpp"
 
 namespace peers {
 namespace {
 
-// [Pa]. Those that give a sheared sample of each kind about four contacts a grain.
-[[nodiscard]] double pressure_of(const std::string& kind) {
-  return kind == "polygons" ? 5e6 : kind == "discs" ? 14e6 : 2e6;
+// All bodies of a simulation, `offset` away, where the strain-rate field adds its own velocity.
+void append(Assembly& out, const auto& sim, const Vec2& offset = {0, 0},
+            const Vec2& rate = {0, 0}) {
+  const Particles& particles = sim.particles();
+  for (BodyIndex i = 0; i < particles.size(); ++i) {
+    const Body& body = particles.body(i);
+    const Ring ring = particles.ring(i);
+    out.particles.push_back({.polygon = ConvexPolygon({ring.begin(), ring.end()}).moved({}, offset),
+                             .motion = body.motion,
+                             .velocity = body.velocity - rate.cwiseProduct(offset),
+                             .angular_velocity = body.angular_velocity});
+  }
 }
 
-[[nodiscard]] RandomAssembly sample(const std::string& kind, unsigned count) {
-  RandomAssembly options{.count = count, .solid_fraction = 0.5};
-  if (kind == "breakable") return options;
-  options.shape = {.fewest_vertices = 5, .most_vertices = 8};
+// The `count` bodies nearest to the origin in a periodic plane. The outermost, as far in as a mean
+// diameter, are the ring.
+[[nodiscard]] Assembly round_sample(const auto& sim, const Packing& packing, unsigned count) {
+  const Vec2 rate{packing.lateral_rate, packing.axial_rate};
+  const Vec2 period = sim.boundary().plane().period;
+  const double cells = count / static_cast<double>(sim.particles().size());
+  const int reach = static_cast<int>(std::ceil(std::sqrt(cells / std::numbers::pi)));
+  Assembly out{.thickness = sim.particles().thickness(), .particles = {}};
+  for (int i = -reach; i <= reach; ++i)
+    for (int j = -reach; j <= reach; ++j) append(out, sim, period.cwiseProduct(Vec2{i, j}), rate);
+
+  const auto distance = [](const PlacedParticle& p) { return centroid(p).norm(); };
+  std::ranges::sort(out.particles, {}, distance);
+  out.particles.erase(out.particles.begin() + count, out.particles.end());
+  const double inside = distance(out.particles.back()) - packing.mean_diameter;
+  for (PlacedParticle& p : out.particles)
+    if (distance(p) > inside)
+      p = {.polygon = p.polygon,
+           .motion = Motion::strain_field,
+           .velocity = -rate.cwiseProduct(centroid(p))};
+  sort_in_space(out.particles);
+  return out;
+}
+
+// An observer: logarithmic strain at the last two records of a test.
+struct LastStrains {
+  Vec2 before{0, 0};
+  Vec2 last{0, 0};
+
+  void record(const auto& view) {
+    before = std::exchange(last, {std::log(view.stretch.x()), std::log(view.stretch.y())});
+  }
+  // Rate along axis 1 over that along axis 2.
+  [[nodiscard]] double ratio() const { return (last - before).x() / (last - before).y(); }
+};
+
+[[nodiscard]] Packing test_packing(auto& sim, const RandomAssembly& options,
+                                   const BiaxialTest& test) {
+  LastStrains strains;
+  const double axial_rate = test.run(sim, strains).axial_rate;
+  const StateNumbers state = state_numbers(sim.contacts(), sim.particles());
+  const double contacts = coordination(sim.contacts(), sim.particles()).coordination_number;
+  std::cerr << sim.particles().size() << " grains: " << contacts << " contacts a grain, overlap "
+            << 100 * state.mean_overlap / options.mean_diameter << " % of the size, " << sim.steps()
+            << " steps\n";
+  return {.mean_diameter = options.mean_diameter,
+          .density = sim.rock().density,
+          .stiffness = sim.contact_law().normal_stiffness,
+          .friction = sim.contact_law().friction,
+          .time_step = sim.time_step(),
+          .coordination = contacts,
+          .axial_rate = axial_rate,
+          .lateral_rate = test.axial_strain > 0 ? axial_rate * strains.ratio() : 0};
+}
+
+// Cut from one periodic sample whatever the count, so that samples of any size are alike.
+[[nodiscard]] Packing in_shear(unsigned count, const PolygonShape& shape, double pressure) {
+  const RandomAssembly options{.count = 500, .shape = shape};
+  Simulation sim{Model{}.boundary(PeriodicCell{}).criterion(NeverFails{}),
+                 random_periodic_assembly(options), Rock{}};
+  Packing packing = test_packing(
+      sim, options,
+      {.confining_pressure = pressure, .axial_strain = 0.005, .rest_unbalanced_force = 0.1});
+  packing.assembly = round_sample(sim, packing, count);
+  return packing;
+}
+
+[[nodiscard]] Packing breakable(unsigned count) {
+  const RandomAssembly options{.count = count};
+  Simulation sim{Model{}.criterion(NeverFails{}), random_assembly(options), Rock{}};
+  Packing packing = test_packing(sim, options, {.axial_strain = 0, .rest_unbalanced_force = 0.05});
+  packing.assembly.thickness = options.thickness;
+  append(packing.assembly, sim);
+  return packing;
+}
+
+// Pressures [Pa] are those that give about four contacts a grain.
+[[nodiscard]] Packing prepare(const std::string& kind, unsigned count) {
+  if (kind == "polygons") return in_shear(count, {.fewest_vertices = 5, .most_vertices = 8}, 2e6);
   if (kind == "discs")
-    options.shape = {.fewest_vertices = 16,
+    return in_shear(count,
+                    {.fewest_vertices = 16,
                      .most_vertices = 16,
                      .smallest_axis_ratio = 1,
                      .largest_axis_ratio = 1,
-                     .angle_jitter = 0};
-  return options;
-}
-
-// Brings the grains near each other, without friction, and all over the sample alike: colliding
-// grains fall back behind the ring, which leaves a large sample loose inside, so that they get the
-// velocity of the field anew time and again.
-template <class Sim>
-void contract(Sim& sim) {
-  constexpr double rate = 9;              // [1/s]
-  constexpr double enough = 2e4;          // mean stress [Pa]
-  constexpr int between_velocities = 50;  // steps
-  const double friction = std::exchange(sim.contact_law().friction, 0);
-  sim.boundary().set_rate(rate, rate);
-  const auto stress = [&] {
-    return average_stress(sim.contacts(), sim.boundary().region(sim.particles()).area(),
-                          sim.particles().thickness())
-        .mean();
-  };
-  while (stress() < enough) {
-    for (BodyIndex i = 0; i < sim.particles().size(); ++i)
-      if (const Body& body = sim.particles().body(i); body.is_free())
-        sim.set_velocity(i, -rate * body.position);
-    for (int i = 0; i < between_velocities; ++i) sim.step();
-  }
-  sim.contact_law().friction = friction;
-}
-
-[[nodiscard]] Packing prepare(const std::string& kind, unsigned count) {
-  const RandomAssembly options = sample(kind, count);
-  const double pressure = pressure_of(kind);
-  Simulation sim{Model{}.criterion(NeverFails{}), random_assembly(options), Rock{}};
-  const BiaxialTest test{.confining_pressure = pressure,
-                         .axial_strain = kind == "breakable" ? 0 : 0.004,
-                         // Slower the larger it is: the ring is to be felt in the middle.
-                         .inertial_number = 5e-4 * std::sqrt(500.0 / count),
-                         .compaction_inertial_number = 8e-3,
-                         .rest_unbalanced_force = 0.05};
-  contract(sim);
-  const double axial_rate = test.run(sim).axial_rate;
-
-  Packing packing{.mean_diameter = options.mean_diameter,
-                  .thickness = options.thickness,
-                  .density = sim.rock().density,
-                  .stiffness = sim.contact_law().normal_stiffness,
-                  .friction = sim.contact_law().friction,
-                  .time_step = sim.time_step(),
-                  .pressure = pressure,
-                  .axial_rate = axial_rate};
-  if (kind != "breakable") {
-    // On in shear, to find how fast it widens.
-    constexpr int steps = 1000;
-    Shear shear(sim, pressure, axial_rate);
-    for (int i = 0; i < steps; ++i) {
-      packing.lateral_rate += shear.steer(sim, sim.time_step()) / steps;
-      sim.step();
-    }
-  }
-  packing.coordination = coordination(sim.contacts(), sim.particles()).coordination_number;
-  packing.grains = grains(sim);
-  const StateNumbers state = state_numbers(sim.contacts(), sim.particles());
-  std::cerr << kind << ' ' << count << ": " << packing.coordination << " contacts a grain, overlap "
-            << 100 * state.mean_overlap / packing.mean_diameter << " % of the size, " << sim.steps()
-            << " steps, widens by " << -packing.lateral_rate / axial_rate << " of the shortening\n";
-  return packing;
+                     .angle_jitter = 0},
+                    5e6);
+  if (kind == "breakable") return breakable(count);
+  throw std::runtime_error("no packing is called " + kind);
 }
 
 }  // namespace

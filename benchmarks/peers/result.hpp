@@ -60,7 +60,7 @@ template <class Step, class Steer>
     for (int i = 0; i < block; ++i) step();
     seconds += cpu_seconds() - begun;
     done += block;
-    steer(block);
+    steer();
   }
   return 1e9 * seconds / static_cast<double>(done) / static_cast<double>(grains);
 }

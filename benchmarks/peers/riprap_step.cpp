@@ -4,22 +4,24 @@
 #include <iostream>
 
 #include <riprap/breakage/criterion/never_fails.hpp>
+#include <riprap/measurement/coordination.hpp>
+#include <riprap/measurement/dimensionless.hpp>
+#include <riprap/simulation/simulation.hpp>
 
+#include "packing.hpp"
 #include "result.hpp"
-#include "sheared.hpp"
 
 int main(int count, char** arguments) try {
   using namespace peers;
   if (count != 2) throw std::runtime_error("riprap_step PACKING");
   const Packing packing = read(arguments[1]);
-  Simulation sim{Model{}.criterion(NeverFails{}), assembly(packing), Rock{}};
-  Shear shear(sim, packing.pressure, packing.axial_rate);
+  Simulation sim{Model{}.criterion(NeverFails{}), packing.assembly, Rock{}};
   sim.boundary().set_rate(packing.lateral_rate, packing.axial_rate);
   const auto step = [&] { sim.step(); };
-  const auto steer = [&](int steps) { shear.steer(sim, steps * sim.time_step()); };
+  const auto steer = [] {};
   const std::size_t grains = sim.particles().size();
-  (void)time_steps(200, grains, step, steer);
-  const double ns = time_steps(grains < 2000 ? 2000 : 600, grains, step, steer);
+  (void)time_steps(spring_settling_steps, grains, step, steer);
+  const double ns = time_steps(spring_timed_steps, grains, step, steer);
   print_result("riprap " RIPRAP_FLAGS,
                {{"ns", ns},
                 {"coordination", coordination(sim.contacts(), sim.particles()).coordination_number},
