@@ -8,7 +8,6 @@
 
 #include <omp.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <limits>
@@ -26,11 +25,9 @@ struct Threads {
   void run(std::size_t tasks, Work&& work) const {
     std::exception_ptr error;
     std::size_t first_error = std::numeric_limits<std::size_t>::max();
-    // Idle threads are not free: all must meet at the end, and wait for a processor if need be.
-    const int busy =
-        static_cast<int>(std::clamp<std::size_t>(tasks, 1, static_cast<std::size_t>(count)));
-    // Tasks are of uneven length, for some particles are checked and most are not.
-#pragma omp parallel for num_threads(busy) schedule(dynamic)
+    // Tasks are of uneven length, for some particles are checked and most are not. For a single one
+    // nobody is woken; else always as many threads, for OpenMP ends those that a run leaves out.
+#pragma omp parallel for num_threads(count) schedule(dynamic) if (tasks > 1)
     for (std::size_t k = 0; k < tasks; ++k) {
       try {
         work(k);
