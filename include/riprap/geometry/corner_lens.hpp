@@ -56,13 +56,17 @@ namespace internal {
   const double p_out = into_q(p_next);
   const double q_deep = into_p(q);
   const double q_out = into_p(q_next);
+  const double q_there = out_of_p(q);
+  const double q_here = out_of_p(q_before);
+  const double p_there = out_of_q(p);
+  const double p_here = out_of_q(p_before);
   const double to_p = margin * into_p.length_bound();
   const double to_q = margin * into_q.length_bound();
   const double from_p = margin * out_of_p.length_bound();
   const double from_q = margin * out_of_q.length_bound();
   const bool crossing = (p_deep > to_q) & (p_out < -to_q) & (q_deep > to_p) & (q_out < -to_p) &
-                        (out_of_p(q) > from_p) & (out_of_p(q_before) < -from_p) &
-                        (out_of_q(p) > from_q) & (out_of_q(p_before) < -from_q);
+                        (q_there > from_p) & (q_here < -from_p) & (p_there > from_q) &
+                        (p_here < -from_q);
   if (!crossing || !internal::inside_beyond_corner(b, j, p, margin) ||
       !internal::inside_beyond_corner(a, i, q, margin))
     return std::nullopt;
