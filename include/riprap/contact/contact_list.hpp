@@ -45,7 +45,9 @@ struct Contact {
 
   /// Force on b [N]; a gets the opposite.
   [[nodiscard]] Vec2 force_on_b() const {
-    return force.normal * geometry.normal + force.tangential * geometry.tangent();
+    const Vec2& n = geometry.normal;
+    return {force.normal * n.x() - force.tangential * n.y(),
+            force.normal * n.y() + force.tangential * n.x()};
   }
   /// From the centroid of a to that of b [m].
   [[nodiscard]] Vec2 branch() const { return arm_a - arm_b; }
@@ -85,9 +87,11 @@ class ContactList {
   /// Velocity of b's image relative to a at their contact [m/s].
   [[nodiscard]] Vec2 relative_velocity(const ContactType& contact,
                                        const Particles& particles) const {
-    Vec2 relative = particles.body(contact.b).velocity_at(contact.arm_b) -
-                    particles.body(contact.a).velocity_at(contact.arm_a);
-    if constexpr (Plane::periodic) relative += plane_.velocity(contact.image);
+    const Vec2 b = particles.body(contact.b).velocity_at(contact.arm_b);
+    const Vec2 a = particles.body(contact.a).velocity_at(contact.arm_a);
+    Vec2 relative{b.x() - a.x(), b.y() - a.y()};
+    if constexpr (Plane::periodic)
+      if (contact.image != Image{}) relative += plane_.velocity(contact.image);
     return relative;
   }
 
@@ -162,9 +166,8 @@ class ContactList {
 
   [[nodiscard]] Vec2 image_offset(const ContactType& contact) const {
     if constexpr (Plane::periodic)
-      return plane_.offset(contact.image);
-    else
-      return {0, 0};
+      if (contact.image != Image{}) return plane_.offset(contact.image);
+    return {0, 0};
   }
   // The contact point where b itself is, not its image.
   [[nodiscard]] Vec2 point_at_b(const ContactType& contact) const {
@@ -300,45 +303,41 @@ class ContactList {
       Body& a = particles.body(contact.a);
       Body& b = particles.body(contact.b);
       find_arms(contact, a, b);
-      const Vec2 tangent = contact.geometry.tangent();
+      const Vec2& n = contact.geometry.normal;
       const Vec2 relative = relative_velocity(contact, particles);
-      const ContactMotion motion{.normal_velocity = relative.dot(contact.geometry.normal),
-                                 .tangential_velocity =
-                                     contact.at_platen ? 0 : relative.dot(tangent),
+      const double along = relative.y() * n.x() - relative.x() * n.y();
+      const ContactMotion motion{.normal_velocity = relative.x() * n.x() + relative.y() * n.y(),
+                                 .tangential_velocity = contact.at_platen ? 0 : along,
                                  .time_step = time_step,
                                  .effective_mass = effective_mass(a, b)};
       contact.force = law_(contact.geometry, motion, contact.history);
       task.slipped += contact.force.slipped;
       task.damped += contact.force.damped;
       const Vec2 on_b = contact.force_on_b();
-      a.contact.force -= on_b;
-      a.contact.moment -= cross(contact.arm_a, on_b);
+      a.contact.subtract(on_b, cross(contact.arm_a, on_b));
       const double moment = cross(contact.arm_b, on_b);
-      if (contact.b < task.last_body) {
-        b.contact.force += on_b;
-        b.contact.moment += moment;
-      } else {
+      if (contact.b < task.last_body)
+        b.contact.add(on_b, moment);
+      else
         task.deferred.push_back({contact.b, {on_b, moment}});
-      }
     }
   }
 
   // In the order of tasks and pairs, whoever has done them.
   void add_deferred(Particles& particles) {
     for (const Task& task : tasks_) {
-      for (const Deferred& d : task.deferred) {
-        Wrench& sum = particles.body(d.body).contact;
-        sum.force += d.wrench.force;
-        sum.moment += d.wrench.moment;
-      }
+      for (const Deferred& d : task.deferred)
+        particles.body(d.body).contact.add(d.wrench.force, d.wrench.moment);
       slipped_ += task.slipped;
       damped_ += task.damped;
     }
   }
 
   void find_arms(ContactType& contact, const Body& a, const Body& b) const {
-    contact.arm_a = contact.geometry.point - a.position;
-    contact.arm_b = point_at_b(contact) - b.position;
+    const Vec2& at_a = contact.geometry.point;
+    const Vec2 at_b = point_at_b(contact);
+    contact.arm_a = {at_a.x() - a.position.x(), at_a.y() - a.position.y()};
+    contact.arm_b = {at_b.x() - b.position.x(), at_b.y() - b.position.y()};
     contact.at_platen = a.motion == Motion::platen || b.motion == Motion::platen;
     if (contact.at_platen) (a.motion == Motion::platen ? contact.arm_a : contact.arm_b) = {0, 0};
   }

@@ -10,6 +10,18 @@ namespace riprap {
 struct Wrench {
   Vec2 force{0, 0};
   double moment = 0;
+
+  // Component by component: on pairs of numbers compilers spend more on packing than they save.
+  void add(const Vec2& f, double m) {
+    force.x() += f.x();
+    force.y() += f.y();
+    moment += m;
+  }
+  void subtract(const Vec2& f, double m) {
+    force.x() -= f.x();
+    force.y() -= f.y();
+    moment -= m;
+  }
 };
 
 /// What decides a body's velocity.
@@ -41,7 +53,7 @@ struct Body {
   }
   /// Velocity [m/s] of the material point at `arm` from the centroid.
   [[nodiscard]] Vec2 velocity_at(const Vec2& arm) const {
-    return velocity + angular_velocity * perpendicular(arm);
+    return {velocity.x() - angular_velocity * arm.y(), velocity.y() + angular_velocity * arm.x()};
   }
 };
 

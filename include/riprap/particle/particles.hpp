@@ -77,11 +77,10 @@ class Particles {
     const std::uint32_t count = shapes_[i].count;
     const Vec2* const local = local_.data() + shapes_[i].first;
     Vec2* const placed = placed_.data() + shapes_[i].first;
+    const Eigen::Array2d turn{-rotation.sine, rotation.sine};
     for (std::uint32_t k = 0; k < count; ++k) {
-      const double x = local[k].x();
-      const double y = local[k].y();
-      placed[k].x() = rotation.cosine * x - rotation.sine * y + position.x();
-      placed[k].y() = rotation.sine * x + rotation.cosine * y + position.y();
+      const auto v = local[k].array();
+      placed[k].array() = v * rotation.cosine + v.reverse() * turn + position.array();
     }
   }
 

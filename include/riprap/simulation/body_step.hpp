@@ -89,15 +89,17 @@ class BodyStep {
   void kick_free(Body& body, double kick_time, BodyWork& work, Kick&& kick) const {
     const Vec2 velocity_before = body.velocity;
     const double spin_before = body.angular_velocity;
-    Wrench total{body.contact.force + body.mass * body_force_, body.contact.moment};
+    Wrench total = body.contact;
+    total.add({body.mass * body_force_.x(), body.mass * body_force_.y()}, 0);
     const Wrench damped = motion_.damping(seen_by_damping(body), total);
-    total.force += damped.force;
-    total.moment += damped.moment;
+    total.add(damped.force, damped.moment);
     kick(body, total);
-    const Vec2 velocity = 0.5 * (velocity_before + body.velocity);
+    const double x = 0.5 * (velocity_before.x() + body.velocity.x());
+    const double y = 0.5 * (velocity_before.y() + body.velocity.y());
     const double spin = 0.5 * (spin_before + body.angular_velocity);
-    work.body_force += kick_time * body.mass * body_force_.dot(velocity);
-    work.damping -= kick_time * (damped.force.dot(velocity) + damped.moment * spin);
+    work.body_force += kick_time * body.mass * (body_force_.x() * x + body_force_.y() * y);
+    work.damping -=
+        kick_time * (damped.force.x() * x + damped.force.y() * y + damped.moment * spin);
   }
 
   // Damping acts on the motion relative to a periodic cell's own, which is the same for all images.

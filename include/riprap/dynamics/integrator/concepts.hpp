@@ -95,14 +95,17 @@ template <Integrator I>
 /// Moves a body at its present velocity: the drift of every scheme, and all that a driven body
 /// does.
 inline void drift(Body& body, double time_step) {
-  body.position += time_step * body.velocity;
+  body.position.x() += time_step * body.velocity.x();
+  body.position.y() += time_step * body.velocity.y();
   if (body.angular_velocity != 0)
     body.rotation = body.rotation.turned(time_step * body.angular_velocity);
 }
 
 /// Changes a body's velocity by the impulse of a constant wrench.
 inline void kick(Body& body, const Wrench& wrench, double time_step) {
-  body.velocity += (time_step / (body.mass_scaling * body.mass)) * wrench.force;
+  const double per_force = time_step / (body.mass_scaling * body.mass);
+  body.velocity.x() += per_force * wrench.force.x();
+  body.velocity.y() += per_force * wrench.force.y();
   body.angular_velocity += (time_step / (body.mass_scaling * body.inertia)) * wrench.moment;
 }
 
