@@ -119,7 +119,7 @@ class ContactList {
     const auto contacts = [&](std::size_t t) { find_contacts(tasks_[t], particles); };
     const auto forces = [&](std::size_t t) { find_forces(tasks_[t], particles, time_step); };
     if constexpr (std::is_same_v<std::remove_cvref_t<Lap>, NoLaps>) {
-      // One task after the other while its contacts are in the cache: a third less time for
+      // One task after the other while its contacts are in the cache: a tenth less time for
       // 100,000 particles. Results are the same.
       execution.run(tasks_.size(), [&](std::size_t t) {
         contacts(t);
