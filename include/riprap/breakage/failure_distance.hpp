@@ -71,7 +71,7 @@ class FailureRadii {
     step_ = static_cast<float>(step);
     inverse_step_ = 1 / step_;
     first_ = std::isfinite(tensile) ? -static_cast<float>(tensile)
-                                    : -step_ * static_cast<float>(count / 2);
+                                    : -0.5f * step_ * static_cast<float>(count);
     radii_[0] = 0;  // nothing is known of centres below
     for (std::size_t i = 1; i < count; ++i) {
       const double centre =

@@ -128,8 +128,10 @@ class CompactOperator {
   static constexpr Eigen::Index pad = 8;  // elements, for whole vectors of single precision
 
   [[nodiscard]] Eigen::Matrix2f block(std::uint32_t i, std::uint32_t j) const {
-    if (i < j) return block(j, i).transpose();
-    return products_[i * (i + 1) / 2 + j];
+    const auto stored = [this](std::uint32_t row, std::uint32_t column) -> const Eigen::Matrix2f& {
+      return products_[row * (row + 1) / 2 + column];
+    };
+    return i < j ? Eigen::Matrix2f(stored(j, i).transpose()) : stored(i, j);
   }
 
   void sum_products() {
