@@ -36,7 +36,7 @@ struct Jagged {
 double radius_at_least(FailureRadii& radii, double centre) {
   Eigen::ArrayXf found;
   radii.at_least(Eigen::ArrayXf::Constant(1, static_cast<float>(centre)), found);
-  return found[0];
+  return static_cast<double>(found[0]);
 }
 
 template <class C>

@@ -97,7 +97,9 @@ class CompactOperator {
   [[nodiscard]] double largest_norm() const { return largest_norm_; }
   /// How far a place may move from `at`, on its edge, for `steepness` to hold [m]: one node
   /// spacing.
-  [[nodiscard]] double reach(const BoundaryPoint& at) const { return pieces_[at.node].length; }
+  [[nodiscard]] double reach(const BoundaryPoint& at) const {
+    return static_cast<double>(pieces_[at.node].length);
+  }
   /// Change of the stresses due to `force` [N] in the Frobenius norm, over the distance by which it
   /// moves along the boundary near `at`, at most [N/m^3].
   [[nodiscard]] double steepness(const BoundaryPoint& at, const Vec2& force) const {
@@ -114,8 +116,9 @@ class CompactOperator {
   /// The same for a unit force along any axis [1/m^3].
   [[nodiscard]] double steepness(const BoundaryPoint& at) const {
     const std::uint32_t nodes = outline_.nodes();
-    return std::max({pieces_[(at.node + nodes - 1) % nodes].steepness, pieces_[at.node].steepness,
-                     pieces_[at.next].steepness});
+    const float steepest = std::max({pieces_[(at.node + nodes - 1) % nodes].steepness,
+                                     pieces_[at.node].steepness, pieces_[at.next].steepness});
+    return static_cast<double>(steepest);
   }
 
   [[nodiscard]] std::size_t bytes() const {
