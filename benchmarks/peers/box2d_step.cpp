@@ -2,10 +2,7 @@
 
 #include <box2d/box2d.h>
 
-#include <exception>
-
 #include "impulse_engine.hpp"
-#include "result.hpp"
 
 namespace peers {
 namespace {
@@ -91,21 +88,6 @@ class Box2D {
 }  // namespace
 }  // namespace peers
 
-int main(int count, char** arguments) try {
-  using namespace peers;
-  if (count != 2) throw std::runtime_error("box2d_step PACKING");
-  const Packing packing = read(arguments[1]);
-  Box2D engine(packing);
-  const auto step = [&] { engine.step(); };
-  const auto steer = [&] { engine.steer(); };
-  (void)time_steps(settling_steps, packing.assembly.particles.size(), step, steer);
-  const double ns = time_steps(timed_steps, packing.assembly.particles.size(), step, steer);
-  const ContactCount contacts = engine.contacts();
-  print_result("Box2D", {{"ns", ns},
-                         {"coordination", contacts.coordination()},
-                         {"overlap", contacts.mean_depth()},
-                         {"time_step", frame}});
-} catch (const std::exception& error) {
-  std::cerr << error.what() << '\n';
-  return 1;
+int main(int count, char** arguments) {
+  return peers::time_engine<peers::Box2D>("box2d_step", "Box2D", count, arguments);
 }

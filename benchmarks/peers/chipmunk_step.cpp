@@ -2,10 +2,7 @@
 
 #include <chipmunk/chipmunk.h>
 
-#include <exception>
-
 #include "impulse_engine.hpp"
-#include "result.hpp"
 
 namespace peers {
 namespace {
@@ -89,21 +86,6 @@ class Chipmunk {
 }  // namespace
 }  // namespace peers
 
-int main(int count, char** arguments) try {
-  using namespace peers;
-  if (count != 2) throw std::runtime_error("chipmunk_step PACKING");
-  const Packing packing = read(arguments[1]);
-  Chipmunk engine(packing);
-  const auto step = [&] { engine.step(); };
-  const auto steer = [&] { engine.steer(); };
-  (void)time_steps(settling_steps, packing.assembly.particles.size(), step, steer);
-  const double ns = time_steps(timed_steps, packing.assembly.particles.size(), step, steer);
-  const ContactCount contacts = engine.contacts();
-  print_result("Chipmunk", {{"ns", ns},
-                            {"coordination", contacts.coordination()},
-                            {"overlap", contacts.mean_depth()},
-                            {"time_step", frame}});
-} catch (const std::exception& error) {
-  std::cerr << error.what() << '\n';
-  return 1;
+int main(int count, char** arguments) {
+  return peers::time_engine<peers::Chipmunk>("chipmunk_step", "Chipmunk", count, arguments);
 }

@@ -1,9 +1,14 @@
 #pragma once
-// What the two impulse engines share: units, time step and how the ring is driven.
+// What the two impulse engines share: units, time step, how the ring is driven, the program.
 
 #include <algorithm>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <string>
 
 #include "packing.hpp"
+#include "result.hpp"
 
 namespace peers {
 
@@ -40,5 +45,27 @@ class Widening {
   double mean_;
   double ratio_ = mean_;
 };
+
+// The whole program of an engine: `program PACKING` prints a line of results under `name`.
+template <class Engine>
+int time_engine(const std::string& program, const std::string& name, int count,
+                char** arguments) try {
+  if (count != 2) throw std::runtime_error(program + " PACKING");
+  const Packing packing = read(arguments[1]);
+  Engine engine(packing);
+  const auto step = [&] { engine.step(); };
+  const auto steer = [&] { engine.steer(); };
+  (void)time_steps(settling_steps, packing.assembly.particles.size(), step, steer);
+  const double ns = time_steps(timed_steps, packing.assembly.particles.size(), step, steer);
+  const ContactCount contacts = engine.contacts();
+  print_result(name, {{"ns", ns},
+                      {"coordination", contacts.coordination()},
+                      {"overlap", contacts.mean_depth()},
+                      {"time_step", frame}});
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return 1;
+}
 
 }  // namespace peers

@@ -240,16 +240,17 @@ class ContactList {
     tasks_.resize(task_count(bodies));
     touching_.resize(pairs_.size());
     auto pair = pairs_.begin();
-    for (std::size_t t = 0; t < tasks_.size(); ++t) {
+    const auto place = [&] { return static_cast<std::size_t>(pair - pairs_.begin()); };
+    for_each_task(Serial{}, bodies, [&](std::size_t t, std::size_t first, std::size_t last) {
       Task& task = tasks_[t];
-      task.first_body = t * task_size;
-      task.last_body = std::min(bodies, (t + 1) * task_size);
-      task.first_pair = static_cast<std::size_t>(pair - pairs_.begin());
+      task.first_body = first;
+      task.last_body = last;
+      task.first_pair = place();
       pair = std::partition_point(pair, pairs_.end(),
-                                  [&](const ContactType& c) { return c.a < task.last_body; });
-      task.last_pair = static_cast<std::size_t>(pair - pairs_.begin());
+                                  [last](const ContactType& c) { return c.a < last; });
+      task.last_pair = place();
       task.touching = 0;
-    }
+    });
   }
 
   // Which pairs of a task touch, in order.
