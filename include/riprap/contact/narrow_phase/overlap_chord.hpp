@@ -70,12 +70,12 @@ struct OverlapChord {
     const Ring ring = of_b ? b : a;
     const Ring other = of_b ? a : b;
     if (entry.edge >= ring.size() || entry.first >= other.size()) return std::nullopt;
-    const auto cap = edge_cap(ring, other, entry, margin(a, b));
+    const auto cap = edge_cap(ring, other, entry);
     if (!cap) return std::nullopt;
     const double sign = of_b ? -1 : 1;
     return ContactGeometry{
         .normal = {sign * cap->normal.x(), sign * cap->normal.y()},
-        .point = {0.5 * (cap->entry.x() + cap->exit.x()), 0.5 * (cap->entry.y() + cap->exit.y())},
+        .point = cap->middle,
         .depth = entry.count == 1 ? cap->depth : std::min(cap->depth, 2 * cap->area / cap->chord),
         .area = cap->area,
         .chord = cap->chord};
