@@ -47,12 +47,13 @@ class LoadReference {
       const Vec2& force = placed[c].force;
       const BoundaryPoint& at = places[c].at;
       const double hold = safely(std::min(places[c].hold, op.reach(at)), arm);
-      contacts_[c] = {static_cast<float>(arm.x()),
-                      static_cast<float>(arm.y()),
-                      static_cast<float>(hold * std::abs(hold)),
-                      static_cast<float>(op.steepness(at, force)),
-                      static_cast<float>(op.steepness(at)),
-                      loads[c].partner};
+      contacts_[c] = {.x = static_cast<float>(arm.x()),
+                      .y = static_cast<float>(arm.y()),
+                      .hold_square = static_cast<float>(hold * std::abs(hold)),
+                      .steepness = static_cast<float>(op.steepness(at, force)),
+                      .unit_steepness = static_cast<float>(op.steepness(at)),
+                      .unit_norm = 0,  // by keep_products
+                      .partner = loads[c].partner};
       corners_[c] = corner_of(places[c], arm);
       forces_[2 * c] = static_cast<float>(force.x());
       forces_[2 * c + 1] = static_cast<float>(force.y());
@@ -71,13 +72,14 @@ class LoadReference {
     if (!(limit_ > 0)) return false;
     std::array<float, 2 * capacity> change;
     float slack = 0;
+    float sum = 0;  // bound on the norm of the change of forces
     std::size_t c = 0;
     for (const ContactLoad& load : loads) {
       const Vec2 force_now = rotation.inverse_times(load.force);
       const auto fx = static_cast<float>(force_now.x());
       const auto fy = static_cast<float>(force_now.y());
       const float size = std::abs(fx) + std::abs(fy);
-      for (; c < count_ && contacts_[c].partner < load.partner; ++c) open(change, c);
+      for (; c < count_ && contacts_[c].partner < load.partner; ++c) sum += open(change, c);
       if (c == count_ || contacts_[c].partner != load.partner) {
         slack += largest_norm_ * size;
         continue;
@@ -98,12 +100,17 @@ class LoadReference {
       const float by_y = fy - forces_[2 * c + 1];
       change[2 * c] = by_x;
       change[2 * c + 1] = by_y;
-      slack += along * (then.steepness + then.unit_steepness * (std::abs(by_x) + std::abs(by_y))) +
+      const float by = std::abs(by_x) + std::abs(by_y);
+      slack += along * (then.steepness + then.unit_steepness * by) +
                static_cast<float>(margin) * largest_norm_ * size;
+      sum += then.unit_norm * by;
       ++c;
     }
-    for (; c < count_; ++c) open(change, c);
+    for (; c < count_; ++c) sum += open(change, c);
     const float left = limit_ - slack;
+    // The norm of a sum is no more than the sum of the norms: often that is enough, and saves the
+    // form, a fourth of the instructions.
+    if (sum <= left) return true;
     return left > 0 && norm_square(change) <= left * left;
   }
 
@@ -116,6 +123,7 @@ class LoadReference {
     float hold_square;
     float steepness;       // of its force
     float unit_steepness;  // of a unit force
+    float unit_norm;       // of a unit force along either axis, the larger one
     std::uint32_t partner;
   };
 
@@ -143,9 +151,11 @@ class LoadReference {
   };
   using Changes = std::array<float, 2 * capacity>;
 
-  void open(Changes& change, std::size_t c) const {
+  // Contact c is no more. Returns what that adds to the norm at most.
+  [[nodiscard]] float open(Changes& change, std::size_t c) const {
     change[2 * c] = -forces_[2 * c];
     change[2 * c + 1] = -forces_[2 * c + 1];
+    return contacts_[c].unit_norm * (std::abs(forces_[2 * c]) + std::abs(forces_[2 * c + 1]));
   }
 
   [[nodiscard]] static Corner corner_of(const OutlinePoint& place, const Vec2& arm) {
@@ -190,6 +200,8 @@ class LoadReference {
       upper[2 * c] = inflated * own(0, 0);
       lower[2 * c] = own(0, 1) + own(1, 0);
       lower[2 * c + 1] = inflated * own(1, 1);
+      contacts_[c].unit_norm =
+          static_cast<float>(1 + margin) * std::sqrt(std::max(upper[2 * c], lower[2 * c + 1]));
       upper = lower + 2 * c + 2;
     }
   }
