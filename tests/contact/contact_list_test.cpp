@@ -119,6 +119,27 @@ TEST_CASE("pairs are sorted by their bodies, a before b, and hold every contact"
   CHECK(found.size() > 30);
 }
 
+TEST_CASE("the contacts of a task are those with one of its bodies, in order") {
+  constexpr int bodies = 3 * task_size - 100;
+  Particles particles = crowd(4, bodies);
+  List list = list_with_skin(0.1);
+  list.update(particles, 0);
+  using Pairs = std::vector<std::pair<BodyIndex, BodyIndex>>;
+  std::size_t found = 0;
+  for (std::size_t task = 0; task < task_count(bodies); ++task) {
+    Pairs expected;
+    list.for_each_touching([&](const auto& c) {
+      if (task_of(c.a) == task || task_of(c.b) == task) expected.emplace_back(c.a, c.b);
+    });
+    Pairs of_task;
+    list.for_each_touching_of(task, [&](const auto& c) { of_task.emplace_back(c.a, c.b); });
+    CHECK(of_task == expected);
+    found += of_task.size();
+  }
+  CHECK(found > static_cast<std::size_t>(touching_count(list)));  // some are of two tasks
+  list.for_each_touching_of(task_count(bodies), [&](const auto&) { CHECK(false); });
+}
+
 TEST_CASE("no contact is missed while bodies move far beyond the skin") {
   Particles particles = crowd(2, 40);
   List list = list_with_skin(0.1);

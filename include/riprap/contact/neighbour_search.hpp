@@ -12,6 +12,7 @@
 #include <riprap/contact/plane.hpp>
 #include <riprap/contact/travel.hpp>
 #include <riprap/core/errors.hpp>
+#include <riprap/core/execution/serial.hpp>
 #include <riprap/particle/particles.hpp>
 
 namespace riprap {
@@ -27,12 +28,14 @@ class NeighbourSearch {
   explicit NeighbourSearch(Broad broad) : broad_(std::move(broad)) {}
 
   /// Follows the bodies to their present poses. True once pairs may be missing.
-  [[nodiscard]] bool stale(const Particles& particles, const Plane& plane) {
+  template <Execution E = Serial>
+  [[nodiscard]] bool stale(const Particles& particles, const Plane& plane,
+                           const E& execution = {}) {
     if (travel_.bodies() != particles.size()) {
       travel_.restart(particles, plane);
       good_until_ = -infinity;
     } else {
-      travel_.update(particles, plane, skin_ / 16, farthest_image_);
+      travel_.update(particles, plane, skin_ / 16, farthest_image_, execution);
     }
     return travel_.so_far() >= good_until_;
   }

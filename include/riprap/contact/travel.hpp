@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <riprap/contact/plane.hpp>
+#include <riprap/core/execution/serial.hpp>
 #include <riprap/particle/particles.hpp>
 
 namespace riprap {
@@ -25,11 +26,19 @@ class Travel {
   /// Brings the bound to the present poses. Ways are measured from a pose that is taken anew when
   /// one is longer than `stride` [m]: bodies that only tremble do not add up.
   /// @param farthest_image how many periods the two bodies of a pair may be apart
-  void update(const Particles& particles, const Plane& plane, double stride, int farthest_image) {
-    double squared = 0;
-    for (std::size_t i = 0; i < poses_.size(); ++i)
-      squared = std::max(squared, poses_[i].way_squared(particles.body(static_cast<BodyIndex>(i))));
-    now_ = std::sqrt(squared);
+  template <Execution E = Serial>
+  void update(const Particles& particles, const Plane& plane, double stride, int farthest_image,
+              const E& execution = {}) {
+    longest_.resize(task_count(poses_.size()));
+    for_each_task(
+        execution, poses_.size(), [&](std::size_t task, std::size_t first, std::size_t last) {
+          double squared = 0;
+          for (std::size_t i = first; i < last; ++i)
+            squared =
+                std::max(squared, poses_[i].way_squared(particles.body(static_cast<BodyIndex>(i))));
+          longest_[task] = squared;
+        });
+    now_ = std::sqrt(*std::max_element(longest_.begin(), longest_.end()));
     if constexpr (Plane::periodic) {
       // Images move with the cell; each body of a pair takes half.
       const Vec2 shrunk = (plane.period - plane_.period).cwiseAbs();
@@ -66,6 +75,7 @@ class Travel {
   };
 
   std::vector<Pose> poses_;
+  std::vector<double> longest_;  // squares of the longest ways, task by task
   [[no_unique_address]] Plane plane_{};
   double before_ = 0;
   double now_ = 0;

@@ -44,8 +44,7 @@ class CrackSearch {
                      const Contacts& contacts, ParticleStress<StressPart>& stresses,
                      double mean_area, const E& execution = {}, Lap&& lap = {}) {
     refusals_.resize(particles.size());
-    stresses.gather(particles, contacts);
-    find_suspects(breakage, particles, stresses, execution);
+    find_suspects(breakage, particles, contacts, stresses, execution);
     lap(StepPart::stress_bound);
     if constexpr (foreseen<BreakagePart, StressPart>)
       clear_suspects(breakage, particles, stresses, execution);
@@ -91,12 +90,15 @@ class CrackSearch {
   }
 
   // Everyone that has to be evaluated, in order.
-  template <class BreakagePart, class StressPart, Execution E>
+  template <class BreakagePart, class Contacts, class StressPart, Execution E>
   void find_suspects(const BreakagePart& breakage, const Particles& particles,
-                     const ParticleStress<StressPart>& stresses, const E& execution) {
+                     const Contacts& contacts, ParticleStress<StressPart>& stresses,
+                     const E& execution) {
+    stresses.begin_gather(particles);
     task_suspects_.resize(task_count(particles.size()));
     for_each_task(execution, particles.size(),
                   [&](std::size_t task, std::size_t first, std::size_t last) {
+                    stresses.gather_task(contacts, task, first, last);
                     task_suspects_[task].clear();
                     for (auto i = static_cast<BodyIndex>(first); i < last; ++i)
                       if (asks(breakage, particles, i, stresses)) task_suspects_[task].push_back(i);

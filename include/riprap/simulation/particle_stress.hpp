@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <riprap/breakage/failure_distance.hpp>
+#include <riprap/core/execution/serial.hpp>
 #include <riprap/core/hash.hpp>
 #include <riprap/material/rock.hpp>
 #include <riprap/particle/particles.hpp>
@@ -40,27 +41,45 @@ class ParticleStress {
   ParticleStress(StressPart model, const Rock& rock) : operators_(std::move(model), rock) {}
 
   /// Sorts the contact forces by particle.
-  template <class Contacts>
-  void gather(const Particles& particles, const Contacts& contacts) {
+  template <class Contacts, Execution E = Serial>
+  void gather(const Particles& particles, const Contacts& contacts, const E& execution = {}) {
+    begin_gather(particles);
+    for_each_task(execution, particles.size(),
+                  [&](std::size_t task, std::size_t first, std::size_t last) {
+                    gather_task(contacts, task, first, last);
+                  });
+  }
+
+  /// The same in parts, for those who go on with the loads of a task at once. `begin_gather` comes
+  /// first; tasks, those of `for_each_task`, do not touch each other.
+  void begin_gather(const Particles& particles) {
     operators_.begin_turn(particles.size());
     references_.resize(particles.size());
-    starts_.assign(particles.size() + 1, 0);
-    contacts.for_each_touching([&](const auto& c) {
-      ++starts_[c.a + 1];
-      ++starts_[c.b + 1];
+    tasks_.resize(task_count(particles.size()));
+  }
+  template <class Contacts>
+  void gather_task(const Contacts& contacts, std::size_t task, std::size_t first,
+                   std::size_t last) {
+    TaskLoads& own = tasks_[task];
+    own.starts.assign(last - first + 1, 0);
+    // One of the two is the task's, and a is below b.
+    contacts.for_each_touching_of(task, [&](const auto& c) {
+      if (c.a >= first) ++own.starts[c.a - first + 1];
+      if (c.b < last) ++own.starts[c.b - first + 1];
     });
-    for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-    loads_.resize(starts_.back());
-    filled_.assign(starts_.begin(), starts_.end() - 1);
-    contacts.for_each_touching([&](const auto& c) {
+    for (std::size_t i = 1; i < own.starts.size(); ++i) own.starts[i] += own.starts[i - 1];
+    own.loads.resize(own.starts.back());
+    own.filled.assign(own.starts.begin(), own.starts.end() - 1);
+    contacts.for_each_touching_of(task, [&](const auto& c) {
       const Vec2 on_b = c.force_on_b();
-      loads_[filled_[c.a]++] = {c.arm_a, -on_b, c.force.normal, c.b};
-      loads_[filled_[c.b]++] = {c.arm_b, on_b, c.force.normal, c.a};
+      if (c.a >= first)
+        own.loads[own.filled[c.a - first]++] = {c.arm_a, -on_b, c.force.normal, c.b};
+      if (c.b < last) own.loads[own.filled[c.b - first]++] = {c.arm_b, on_b, c.force.normal, c.a};
     });
   }
 
   /// Contacts of particle i at the last `gather`.
-  [[nodiscard]] std::size_t contact_count(BodyIndex i) const { return starts_[i + 1] - starts_[i]; }
+  [[nodiscard]] std::size_t contact_count(BodyIndex i) const { return loads(i).size(); }
   /// A number that stays the same as long as the contact partners of i do.
   [[nodiscard]] std::uint64_t partners(const Particles& particles, BodyIndex i) const {
     std::uint64_t sum = 0;
@@ -138,15 +157,22 @@ class ParticleStress {
 
  private:
   [[nodiscard]] std::span<const ContactLoad> loads(BodyIndex i) const {
-    return {loads_.data() + starts_[i], loads_.data() + starts_[i + 1]};
+    const TaskLoads& task = tasks_[task_of(i)];
+    const std::uint32_t* const start = task.starts.data() + i % task_size;
+    return {task.loads.data() + start[0], task.loads.data() + start[1]};
   }
+
+  // Of the particles of a task, one after the other. In laboratory axes: turning is left to those
+  // who need it.
+  struct TaskLoads {
+    std::vector<std::uint32_t> starts{};
+    std::vector<std::uint32_t> filled{};
+    std::vector<ContactLoad> loads{};
+  };
 
   OperatorStore<StressPart> operators_;
   std::vector<LoadReference> references_;
-  std::vector<std::uint32_t> starts_{0};
-  std::vector<std::uint32_t> filled_;
-  // In laboratory axes: turning is left to those who need it.
-  std::vector<ContactLoad> loads_;
+  std::vector<TaskLoads> tasks_;
   std::vector<BoundaryLoad> settled_;
   ElementStress stress_;
 };

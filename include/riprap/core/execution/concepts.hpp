@@ -48,6 +48,9 @@ inline constexpr std::size_t task_size = 256;
   return (count + task_size - 1) / task_size;
 }
 
+/// The one that sees to a body.
+[[nodiscard]] constexpr std::size_t task_of(std::size_t body) { return body / task_size; }
+
 /// Calls `work(task, first, last)` for every task of `count` bodies.
 template <Execution E, class Work>
 void for_each_task(const E& execution, std::size_t count, Work&& work) {
