@@ -4,6 +4,8 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include <riprap/material/rock.hpp>
@@ -96,46 +98,79 @@ class InfluenceOperator {
     Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n);
     for (std::size_t e = 0; e < mesh_.size(); ++e) {
       const auto corners = mesh_.triangle(e);
-      const StrainDisplacement b = element.strain_displacement(corners);
-      const Eigen::Matrix<double, 6, 6> k =
-          (thickness * mesh_.area(e)) * (b.transpose() * elasticity * b);
+      add_stiffness(e, element.strain_displacement(corners), elasticity, thickness, stiffness);
       const Eigen::Matrix3d m = element.mass(corners);
       for (int p = 0; p < 3; ++p)
-        for (int q = 0; q < 3; ++q) {
-          const Eigen::Index i = mesh_.triangles[e][static_cast<std::size_t>(p)];
-          const Eigen::Index j = mesh_.triangles[e][static_cast<std::size_t>(q)];
-          stiffness.block<2, 2>(2 * i, 2 * j) += k.block<2, 2>(2 * p, 2 * q);
-          mass(i, j) += m(p, q);
-        }
+        for (int q = 0; q < 3; ++q) mass(node(e, p), node(e, q)) += m(p, q);
     }
+    return solve(std::move(stiffness), mass);
+  }
 
-    Eigen::Matrix<double, Eigen::Dynamic, 3> rigid(2 * n, 3);
+  [[nodiscard]] Eigen::Index node(std::size_t element, int corner) const {
+    return mesh_.triangles[element][static_cast<std::size_t>(corner)];
+  }
+
+  // Plain loops, here and below, where sums are short: the classes that Eigen makes of every such
+  // expression took compilers longer than the loops do.
+  void add_stiffness(std::size_t e, const StrainDisplacement& b, const Eigen::Matrix3d& elasticity,
+                     double thickness, Eigen::MatrixXd& stiffness) const {
+    const double volume = thickness * mesh_.area(e);
+    for (int p = 0; p < 6; ++p) {
+      std::array<double, 3> stress{};
+      for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k)
+          stress[static_cast<std::size_t>(j)] += volume * b(k, p) * elasticity(k, j);
+      for (int q = 0; q < 6; ++q) {
+        double sum = 0;
+        for (int j = 0; j < 3; ++j) sum += stress[static_cast<std::size_t>(j)] * b(j, q);
+        stiffness(2 * node(e, p / 2) + p % 2, 2 * node(e, q / 2) + q % 2) += sum;
+      }
+    }
+  }
+
+  // The product of the rows r of a and c of b.
+  using Modes = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+  [[nodiscard]] static double row_product(const Modes& a, Eigen::Index r, const Modes& b,
+                                          Eigen::Index c) {
+    return a(r, 0) * b(c, 0) + a(r, 1) * b(c, 1) + a(r, 2) * b(c, 2);
+  }
+
+  [[nodiscard]] Eigen::MatrixXd solve(Eigen::MatrixXd stiffness,
+                                      const Eigen::MatrixXd& mass) const {
+    const Eigen::Index n = mass.rows();
+    Modes rigid = Modes::Zero(2 * n, 3);
     for (Eigen::Index i = 0; i < n; ++i) {
       const Vec2& x = mesh_.nodes[static_cast<std::size_t>(i)];
-      rigid.middleRows<2>(2 * i) << 1, 0, -x.y(), 0, 1, x.x();
+      rigid(2 * i, 0) = rigid(2 * i + 1, 1) = 1;
+      rigid(2 * i, 2) = -x.y();
+      rigid(2 * i + 1, 2) = x.x();
     }
     // Inertia relief: forces less the mass times the rigid acceleration they cause. The density
     // cancels, and about the centroid the rigid modes are orthogonal in mass.
-    Eigen::Matrix<double, Eigen::Dynamic, 3> inertial(2 * n, 3);
+    Modes inertial(2 * n, 3);
     for (int axis = 0; axis < 2; ++axis) {
       using Stride = Eigen::InnerStride<2>;
       for (int mode = 0; mode < 3; ++mode)
         Eigen::Map<Eigen::VectorXd, 0, Stride>(inertial.col(mode).data() + axis, n) =
             mass * Eigen::Map<const Eigen::VectorXd, 0, Stride>(rigid.col(mode).data() + axis, n);
     }
-    const Eigen::Vector3d modal_mass = rigid.cwiseProduct(inertial).colwise().sum();
+    for (int mode = 0; mode < 3; ++mode)
+      inertial.col(mode) *= 1 / rigid.col(mode).dot(inertial.col(mode));
 
     const Eigen::Index loads = 2 * static_cast<Eigen::Index>(mesh_.boundary_nodes);
     Eigen::MatrixXd displacement = Eigen::MatrixXd::Identity(2 * n, loads);
-    inertial *= modal_mass.cwiseInverse().asDiagonal();
-    displacement -= inertial.lazyProduct(rigid.topRows(loads).transpose());
+    for (Eigen::Index c = 0; c < loads; ++c)
+      for (Eigen::Index r = 0; r < 2 * n; ++r)
+        displacement(r, c) -= row_product(inertial, r, rigid, c);
 
     // Stiffness against rigid modes makes the matrix definite; balanced loads do not feel it.
     rigid.col(2) /= rigid.col(2).norm() / std::sqrt(static_cast<double>(n));
     const double stiff = stiffness.trace() / static_cast<double>(2 * n * n);
-    stiffness += stiff * rigid.lazyProduct(rigid.transpose());
-    // LDLT, a column at a time and lazy products: where Eigen multiplies large matrices, it adds up
-    // in portions that suit the caches of the processor, and the last bits would depend on it.
+    for (Eigen::Index c = 0; c < 2 * n; ++c)
+      for (Eigen::Index r = 0; r < 2 * n; ++r)
+        stiffness(r, c) += stiff * row_product(rigid, r, rigid, c);
+    // LDLT, a column at a time: where Eigen multiplies large matrices, it adds up in portions that
+    // suit the caches of the processor, and the last bits would depend on it.
     const Eigen::LDLT<Eigen::MatrixXd> factors(stiffness);
     for (Eigen::Index i = 0; i < loads; ++i) {
       auto displaced = displacement.col(i);
