@@ -26,8 +26,7 @@ PlatenNodes random_nodes(Eigen::Index count, Random& random) {
       nodes.pressed_per_slip(i, j) = random.uniform(-0.2, 0.2);
     }
   }
-  nodes.held_per_slip =
-      root * root.transpose() + 0.5 * Eigen::MatrixXd::Identity(count, count);
+  nodes.held_per_slip = root * root.transpose() + 0.5 * Eigen::MatrixXd::Identity(count, count);
   return nodes;
 }
 

@@ -48,8 +48,8 @@ inline void slip_under_limits(const PlatenNodes& nodes, const Eigen::VectorXd& l
 /// the one that presses, and opposes the slip with that much where there is any. A specimen that is
 /// loaded in proportion keeps its sticking and its slipping nodes, and slips in proportion, so that
 /// one solution stands for the whole path. Limits are taken from the last normal forces and found
-/// anew until they stand still. Throws SimulationError where they do not, which a friction coefficient
-/// of many times 1 may bring about.
+/// anew until they stand still. Throws SimulationError where they do not, which a friction
+/// coefficient of many times 1 may bring about.
 /// @param friction finite, above 0
 [[nodiscard]] inline Eigen::VectorXd coulomb_slip(const PlatenNodes& nodes, double friction) {
   require_positive("coulomb_slip: friction", friction);

@@ -37,9 +37,9 @@ struct UnconfinedResult {
   std::size_t tensile = 0;  ///< elements that failed in tension
   std::size_t shear = 0;
 
-  double strength = 0;       ///< uniaxial compressive strength of the criterion [Pa]
-  double platen_stress = 0;  ///< mean, positive in compression [Pa]
-  double axial_strain = 0;   ///< shortening over height [-]
+  double strength = 0;                   ///< uniaxial compressive strength of the criterion [Pa]
+  double platen_stress = 0;              ///< mean, positive in compression [Pa]
+  double axial_strain = 0;               ///< shortening over height [-]
   std::vector<PlatenNode> platen_nodes;  ///< of the bottom platen from the left, then of the top's
 
   /// Rat [-].
