@@ -43,7 +43,7 @@ inline Json specimen_json(const Specimen& s) {
           {"stiffness_over_young", r.platen_stress / r.axial_strain / s.options.young},
           {"slipping_platen_nodes", r.slipping_nodes()},
           {"platen_nodes", r.platen_nodes.size()},
-          {"least_normal_force_N_per_m", r.least_normal_force()},
+          {"least_normal_force_N", r.least_normal_force()},
           {"first_failed_plane_to_axis_degrees", s.plane_angle},
           {"failure_lines", lines}};
 }

@@ -1,6 +1,7 @@
 #pragma once
 // One specimen of rock between platens, as the options describe it.
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <variant>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -107,10 +108,12 @@ inline std::vector<double> evenly(double first, double last, int count) {
   return values;
 }
 
-// By bisection: Rat rises with the load.
+// By bisection, for Rat rises with the load; infinity where 4 times the strength is not enough.
 inline double load_for(Options o, double ratio) {
-  double low = 0.5;
+  double low = 0;
   double high = 4;
+  o.load = high;
+  if (test(o).ratio() < ratio) return std::numeric_limits<double>::infinity();
   for (int i = 0; i < 30; ++i) {
     o.load = 0.5 * (low + high);
     (test(o).ratio() < ratio ? low : high) = o.load;
@@ -129,9 +132,10 @@ inline std::vector<Sweep> other_sweeps(const Options& o) {
             [](Options& x, double v) { x.friction = v; }),
       sweep(o, "platen stress over strength [-]", evenly(0.9, 1.1, 21),
             [](Options& x, double v) { x.load = v; }),
-      sweep(o, "triangles in the mesh [-]",
-            {60, 100, 150, 200, 300, 400, 600, 800, 1000, 1500, 2000, 3000, 4000, 5000},
-            [](Options& x, double v) { x.triangles = static_cast<unsigned>(v); }),
+      sweep(
+          o, "triangles in the mesh [-]",
+          {60, 100, 150, 200, 300, 400, 600, 800, 1000, 1500, 2000, 3000, 4000, 5000, 7000, 10000},
+          [](Options& x, double v) { x.triangles = static_cast<unsigned>(v); }),
   };
 }
 

@@ -56,11 +56,14 @@ void print(const unconfined::Study& s) {
   std::printf("that is RatF for this rock in this specimen; the paper has 0.32 to 0.39, 0.34 on "
               "average, and takes 0.4\n");
   std::printf("Rat reaches 0.4 at %.3f times the strength\n", s.load_at_0_4);
-  std::printf("Rat at failure from and to, for\n");
   const auto line = [](const unconfined::Sweep& sweep, const std::string& with = "") {
-    std::printf("  %-34s%-13s %.3f to %.3f\n", sweep.parameter.c_str(), with.c_str(),
-                sweep.points.front().y(), sweep.points.back().y());
+    const auto& first = sweep.points.front();
+    const auto& last = sweep.points.back();
+    std::printf("  %-32s%-9s Rat %.3f at %-6g %.3f at %-6g lowest %.3f, highest %.3f\n",
+                sweep.parameter.c_str(), with.c_str(), first.y(), first.x(), last.y(), last.x(),
+                sweep.lowest(), sweep.highest());
   };
+  std::printf("what moves it:\n");
   for (const auto& p : s.poisson) line(p.sweep, "m_b " + riprap::to_text(p.m_b));
   for (const auto* sweep : {&s.young, &s.strength}) line(*sweep);
   for (const auto& sweep : s.others) line(sweep);

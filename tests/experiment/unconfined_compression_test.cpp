@@ -101,7 +101,7 @@ TEST_CASE("every row of elements carries the force of the platens") {
       (n.top ? top : bottom) += n.normal_force();
       lateral += n.force.x();
     }
-    const double force = sigma_c * 0.054;
+    const double force = sigma_c * 0.054 * 0.054;
     CHECK(top == near_relative(force, 1e-12));
     CHECK(bottom == near_relative(force, 1e-10));
     CHECK(std::abs(lateral) <= 1e-10 * force);
@@ -123,7 +123,7 @@ TEST_CASE("the forces of the platens, as loads on a free body, give the same str
     Stress2 mean;
     for (const PlatenNode& n : r.platen_nodes) {
       loads.push_back({{n.node, (n.node + 1) % r.mesh.boundary_nodes, 1}, n.force});
-      mean += (-1 / (0.054 * 0.108)) * symmetric_product(n.force, r.mesh.nodes[n.node]);
+      mean += (-1 / (0.054 * 0.108 * 0.054)) * symmetric_product(n.force, r.mesh.nodes[n.node]);
     }
     AssembleAndSolve<ConstantStrainTriangle, PlaneStress> direct(
         r.mesh, {}, {}, Rock{}, test.thickness, DeterminateSupport::on_opposite_sides(r.mesh));
@@ -247,6 +247,19 @@ TEST_CASE("nor on size and thickness") {
   const UnconfinedResult other = large.run(Rock{}, HoekBrown{}, crossed);
   CHECK(relative_difference(other.stress, r.stress) <= 1e-11);
   CHECK(modes(other) == modes(r));
+}
+
+// Close to uniform stress the criterion is a straight line through sigma_1 = sigma_c, so the failed
+// elements are told by the shape of what the platens add, not by its size.
+TEST_CASE("a trace of friction, or of Poisson's ratio, marks the same elements as a tenth of it") {
+  const auto run = [](double friction, double poisson) {
+    const UnconfinedCompression test{.friction = friction};
+    return test.run(Rock{.poisson = poisson}, HoekBrown{}, UniformMesher{500});
+  };
+  CHECK(run(1e-4, 0.17).tally.failed > 0);
+  CHECK(modes(run(1e-4, 0.17)) == modes(run(1e-5, 0.17)));
+  CHECK(run(rough, 1e-4).tally.failed > 0);
+  CHECK(modes(run(rough, 1e-4)) == modes(run(rough, 1e-5)));
 }
 
 TEST_CASE("plane strain is plane stress with nu / (1 - nu)") {

@@ -26,12 +26,13 @@ namespace riprap {
 /// Failed elements keep their stiffness. Stress is linear in the load and so independent of Young's
 /// modulus; under a criterion that scales with its strength, Rat is independent of that, too.
 ///
-/// With smooth platens stress is uniform, and at `load` = 1 every element lies on the failure
-/// surface itself: round-off decides, and Rat means nothing.
+/// With smooth platens, or Poisson's ratio 0, stress is uniform, and at `load` = 1 every element
+/// lies on the failure surface itself: round-off decides, and Rat means nothing. With any friction
+/// it does: of a small disturbance only the shape counts, not the size.
 struct UnconfinedCompression {
-  double width = 0.054;   ///< [m]
-  double height = 0.108;  ///< [m]
-  double thickness = 1;   ///< out of plane [m]; stress does not depend on it
+  double width = 0.054;      ///< [m]
+  double height = 0.108;     ///< [m]
+  double thickness = 0.054;  ///< out of plane [m]; stress does not depend on it
   /// Of the platens [-]: 0 for smooth ones, infinity for rough ones, to which all nodes stick.
   double friction = std::numeric_limits<double>::infinity();
   double load = 1;  ///< mean platen stress over the uniaxial strength [-]
