@@ -92,13 +92,29 @@ inline Claim judge_range(const Study& s) {
       "the proportions of the specimen set it, rather than the rock"};
 }
 
+// What the mesh alone moves Rat by, from 1000 triangles on.
+inline double mesh_range(const Study& s) {
+  double low = 1;
+  double high = 0;
+  for (const auto& p : s.others.back().points) {
+    if (p.x() < 1000) continue;
+    low = std::min(low, p.y());
+    high = std::max(high, p.y());
+  }
+  return high - low;
+}
+
 inline Claim judge_mean(const Study& s) {
-  const double mean = mean_ratio(s);
-  return {"the average of RatF is 0.34",
-          "the mean over all pairs of Poisson's ratio and m_b is within 0.01 of it",
-          {{"mean", mean}},
-          std::abs(mean - paper_mean) <= 0.01 ? holds : does_not_hold,
-          "an even grid of rocks, for the paper's specimens are not known"};
+  const double off = std::abs(mean_ratio(s) - paper_mean);
+  return {
+      "the average of RatF is 0.34",
+      "the mean over all pairs of Poisson's ratio and m_b rounds to it; in part if it is off by "
+      "less than the mesh alone moves Rat, from 1000 triangles on",
+      {{"mean", mean_ratio(s)}, {"range_over_meshes", mesh_range(s)}},
+      off <= 0.005           ? holds
+      : off <= mesh_range(s) ? holds_in_part
+                             : does_not_hold,
+      "an even grid of rocks in one specimen, for the paper's specimens are not known"};
 }
 
 inline Claim judge_line(const Study& s) {
