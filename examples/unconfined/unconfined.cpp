@@ -60,7 +60,7 @@ void print(const unconfined::Study& s) {
   const auto line = [](const unconfined::Sweep& sweep, const std::string& with = "") {
     const auto& first = sweep.points.front();
     const auto& last = sweep.points.back();
-    std::printf("  %-32s%-9s Rat %.3f at %-6g %.3f at %-6g lowest %.3f, highest %.3f\n",
+    std::printf("  %-32s%-9s Rat %.3f at %-8g %.3f at %-8g lowest %.3f, highest %.3f\n",
                 sweep.parameter.c_str(), with.c_str(), first.y(), first.x(), last.y(), last.x(),
                 sweep.lowest(), sweep.highest());
   };

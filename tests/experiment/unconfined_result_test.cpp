@@ -50,6 +50,10 @@ TEST_CASE("no line where nothing failed") {
   UnconfinedResult r = banded({{9, 9}, Vec2{0, 1}});
   CHECK(r.ratio() == 0);
   CHECK(!failure_line(r, HoekBrown{}, WeightedXY{}));
+  const auto always = [](std::span<const WeightedPoint>, const FailurePlanes&) {
+    return std::optional<Line>(Line{{0, 0}, {0, 1}});
+  };
+  CHECK(!failure_line(r, HoekBrown{}, always));
 }
 
 TEST_CASE("platens press with positive forces, and slipping nodes are counted") {
