@@ -51,20 +51,23 @@ struct Franklin {
 
  private:
   // The larger solution d = (sigma_1 - sigma_3) / sigma_c of d^(1/B) - d = 2 sigma_3 / sigma_c, by
-  // Newton's method. The left side is convex, so that all steps but the first lead down to it; the
-  // first guess has the value, slope and curvature at d = 1.
+  // Halley's method: two steps at most stresses. The first guess has value, slope and curvature
+  // right at d = 1; the left side is convex and, with B >= 0.5, ever less so.
   [[nodiscard]] double difference(double scaled) const {
     const double b = exponent;
+    const double inverse = 1 / b;
     const double under_root = 1 + 4 * scaled / (1 - b);
     double d = 1 - b + b * std::sqrt(std::max(0.0, under_root));
     for (int i = 0; i < 64; ++i) {
-      const double power = std::pow(d, 1 / b - 1);
-      const double slope = power / b - 1;
-      if (!(slope > 0)) break;
-      const double step = (d * (power - 1) - 2 * scaled) / slope;
+      const double power = std::pow(d, inverse - 1);
+      const double slope = inverse * power - 1;
+      if (!(slope > 0)) break;  // round-off at the end of the curve
+      const double excess = d * (power - 1) - 2 * scaled;
+      const double half_curvature_d = 0.5 * inverse * (inverse - 1) * power;  // times d
+      const double step = excess * slope * d / (slope * slope * d - excess * half_curvature_d);
       d -= step;
-      // The next step would be of the order of this one squared: round-off.
-      if (std::abs(step) <= 1e-8 * d) break;
+      // The next step would be of the order of this one cubed: round-off.
+      if (std::abs(step) <= 3e-6 * d) break;
     }
     return d;
   }
