@@ -4,8 +4,11 @@
 // the operator of the pieces (stress/build_operator), by far the larger part of the price of a
 // break.
 
+#include <riprap/breakage/criterion/franklin.hpp>
+#include <riprap/breakage/criterion/hobbs.hpp>
 #include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
+#include <riprap/breakage/criterion/murrell.hpp>
 #include <riprap/breakage/failure_tally.hpp>
 #include <riprap/breakage/line_fit/weighted_xy.hpp>
 #include <riprap/breakage/splitter/straight_cut.hpp>
@@ -88,6 +91,9 @@ void straight_cut(benchmark::State& state) {
 
 BENCHMARK(tally<HoekBrown>)->Name("criterion/hoek_brown");
 BENCHMARK(tally<MohrCoulomb>)->Name("criterion/mohr_coulomb");
+BENCHMARK(tally<Murrell>)->Name("criterion/murrell");
+BENCHMARK(tally<Hobbs>)->Name("criterion/hobbs");
+BENCHMARK(tally<Franklin>)->Name("criterion/franklin");
 BENCHMARK(weighted_xy)->Name("line_fit/weighted_xy");
 BENCHMARK(straight_cut<blunt>)->Name("cut/straight_cut");
 BENCHMARK(straight_cut<sharp>)->Name("cut/straight_cut/sharp");

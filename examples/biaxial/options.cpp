@@ -61,7 +61,8 @@ Options read_options(int argc, char** argv) {
   app.add_option("--breakage", breakage, "may particles break?")
       ->check(CLI::IsMember({"on", "off"}));
   app.add_option("--criterion", o.criterion, "failure of an element")
-      ->check(CLI::IsMember({"hoek-brown", "mohr-coulomb"}));
+      ->check(CLI::IsMember({"hoek-brown", "mohr-coulomb", "griffith", "modified-griffith",
+                             "murrell", "hobbs", "franklin"}));
   app.add_option("--line-fit", o.line_fit, "crack line: weighted X, Y, or the paper's choice")
       ->check(CLI::IsMember({"xy", "x", "y"}));
   app.add_option("--support", o.support, "of a particle in its stress analysis")
@@ -104,6 +105,11 @@ Options read_options(int argc, char** argv) {
 
 AnyCriterion chosen_criterion(const Options& options) {
   if (options.criterion == "mohr-coulomb") return {riprap::MohrCoulomb{}};
+  if (options.criterion == "griffith") return {riprap::Griffith{}};
+  if (options.criterion == "modified-griffith") return {riprap::ModifiedGriffith{}};
+  if (options.criterion == "murrell") return {riprap::Murrell{}};
+  if (options.criterion == "hobbs") return {riprap::Hobbs{}};
+  if (options.criterion == "franklin") return {riprap::Franklin{}};
   return {riprap::HoekBrown{}};
 }
 

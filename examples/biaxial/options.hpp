@@ -58,7 +58,9 @@ riprap::RandomAssembly chosen_assembly(const Options& options);
 // Fills the options from the command line; exits on --help and on unknown or malformed options.
 Options read_options(int argc, char** argv);
 
-using AnyCriterion = riprap::CriterionChoice<riprap::HoekBrown, riprap::MohrCoulomb>;
+using AnyCriterion = riprap::CriterionChoice<riprap::HoekBrown, riprap::MohrCoulomb,
+                                             riprap::Griffith, riprap::ModifiedGriffith,
+                                             riprap::Murrell, riprap::Hobbs, riprap::Franklin>;
 using AnyLineFit = riprap::LineFitChoice<riprap::WeightedXY, riprap::WeightedX, riprap::WeightedY>;
 using AnyContact = riprap::ContactLawChoice<riprap::LinearSpringCoulomb, riprap::OverlapAreaSpring,
                                             riprap::SpringDashpot>;

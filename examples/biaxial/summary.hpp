@@ -75,6 +75,28 @@ inline Json criterion_json(const riprap::MohrCoulomb& c) {
           {"angle_rad", c.angle},
           {"tension_Pa", c.tension}};
 }
+inline Json criterion_json(const riprap::Griffith& c) {
+  return {{"name", "griffith"}, {"tension_Pa", c.tension}};
+}
+inline Json criterion_json(const riprap::ModifiedGriffith& c) {
+  return {{"name", "modified-griffith"}, {"tension_Pa", c.tension}, {"friction", c.friction}};
+}
+inline Json criterion_json(const riprap::Murrell& c) {
+  return {{"name", "murrell"}, {"tension_Pa", c.tension}};
+}
+inline Json criterion_json(const riprap::Hobbs& c) {
+  return {{"name", "hobbs"},
+          {"compressive_strength_Pa", c.compressive_strength},
+          {"factor", c.factor},
+          {"exponent", c.exponent},
+          {"tension_Pa", c.tension}};
+}
+inline Json criterion_json(const riprap::Franklin& c) {
+  return {{"name", "franklin"},
+          {"compressive_strength_Pa", c.compressive_strength},
+          {"exponent", c.exponent},
+          {"tension_Pa", c.tension}};
+}
 
 inline Json contact_json(const riprap::LinearSpringCoulomb& law) {
   return {{"law", "linear"},

@@ -3,8 +3,14 @@
 /// What a simulation needs: all policies but the optional ones, Model, Simulation, the biaxial test
 /// and its records. Needs the headers of Eigen and Boost only.
 
+#include <riprap/breakage/criterion/franklin.hpp>
+#include <riprap/breakage/criterion/griffith.hpp>
+#include <riprap/breakage/criterion/hobbs.hpp>
+#include <riprap/breakage/criterion/modified_griffith.hpp>
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
+#include <riprap/breakage/criterion/murrell.hpp>
 #include <riprap/breakage/criterion/rankine.hpp>
+#include <riprap/breakage/criterion/rock_mass.hpp>
 #include <riprap/breakage/inheritance/at_rest.hpp>
 #include <riprap/breakage/line_fit/failure_plane_through_centroid.hpp>
 #include <riprap/breakage/line_fit/no_line.hpp>

@@ -7,10 +7,16 @@
 #include <numbers>
 
 #include <riprap/breakage/criterion/criterion_choice.hpp>
+#include <riprap/breakage/criterion/franklin.hpp>
+#include <riprap/breakage/criterion/griffith.hpp>
+#include <riprap/breakage/criterion/hobbs.hpp>
 #include <riprap/breakage/criterion/hoek_brown.hpp>
+#include <riprap/breakage/criterion/modified_griffith.hpp>
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
+#include <riprap/breakage/criterion/murrell.hpp>
 #include <riprap/breakage/criterion/never_fails.hpp>
 #include <riprap/breakage/criterion/rankine.hpp>
+#include <riprap/breakage/criterion/rock_mass.hpp>
 #include <riprap/breakage/failure_tally.hpp>
 #include <riprap/core/random.hpp>
 #include <support/near.hpp>
@@ -87,6 +93,12 @@ TEST_CASE("no circle smaller than the tabled radius has failed, and hardly a lar
   check_radii(HoekBrown{.compressive_strength = 1e6, .m_b = 10, .s = 0.3, .a_b = 0.6}, -1e5, 1.5e6);
   check_radii(MohrCoulomb{}, -20e6, 600e6);
   check_radii(Rankine{}, -20e6, 600e6);
+  check_radii(RockMass{.gsi = 30}.hoek_brown(), -1e6, 20e6);
+  check_radii(Griffith{}, -20e6, 300e6);
+  check_radii(ModifiedGriffith{.friction = 0.5}, -20e6, 300e6);
+  check_radii(Murrell{}, -20e6, 300e6);
+  check_radii(Hobbs{}, -20e6, 600e6);
+  check_radii(Franklin{}, -20e6, 600e6);
   check_radii(Jagged{}, -10e6, 100e6);
   check_radii(ShearOnly{}, -20e6, 60e6);
   check_radii(CriterionChoice<HoekBrown, Rankine>{Rankine{}}, -20e6, 600e6);

@@ -5,13 +5,19 @@
 #include <riprap/simulation/simulation.hpp>
 using namespace riprap;
 
-struct Griffith {         // (sigma_1 - sigma_3)^2 = 8 T (sigma_1 + sigma_3)
-  double tension = 12e6;  // T [Pa], positive
+struct Fairhurst {             // Griffith's parabola, stretched to a given compressive strength
+  double compression = 300e6;  // [Pa]
+  double tension = 12e6;       // [Pa], positive
   double major_stress_at_failure(double minor) const {
-    return minor + 4 * tension * (1 + std::sqrt(std::max(0.0, 1 + minor / tension)));
+    const double stretch = std::sqrt(1 + compression / tension) - 1;  // 2 is Griffith's
+    const double width = stretch * stretch * tension;
+    return minor + width + 2 * std::sqrt(width * std::max(0.0, minor + tension));
   }
   double tensile_strength() const { return tension; }
-  void validate() const { require_positive("Griffith.tension", tension); }
+  void validate() const {
+    require_positive("Fairhurst.compression", compression);
+    require_positive("Fairhurst.tension", tension);
+  }
 };
 
 int main() {
@@ -20,7 +26,8 @@ int main() {
   const Assembly pressed{.particles = {{square},  // 1 mm deep in a platen on either side
                                        {platen.moved({}, {0, 0.0150}), Motion::prescribed},
                                        {platen.moved({}, {0, -0.0150}), Motion::prescribed}}};
-  Simulation sim{Model{}.criterion(Griffith{.tension = 8_MPa}), pressed, Rock{}};
+  Simulation sim{Model{}.criterion(Fairhurst{.compression = 200_MPa, .tension = 8_MPa}), pressed,
+                 Rock{}};
   for (int i = 0; i < 3; ++i) sim.step();
   return sim.breaks().size() == 1 ? 0 : 1;
 }

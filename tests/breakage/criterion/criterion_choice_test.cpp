@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <riprap/breakage/criterion/franklin.hpp>
 #include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
 #include <riprap/breakage/criterion/never_fails.hpp>
@@ -13,7 +14,7 @@ using namespace riprap;
 
 namespace {
 
-using Choice = CriterionChoice<HoekBrown, MohrCoulomb, NeverFails>;
+using Choice = CriterionChoice<HoekBrown, MohrCoulomb, Franklin, NeverFails>;
 
 static_assert(FailureCriterion<Choice>);
 // The choice is made at run time, so the stress analysis must be compiled in.
@@ -38,6 +39,7 @@ TEST_CASE("a chosen criterion gives the same bits as the criterion itself") {
   check_same(HoekBrown{});
   check_same(HoekBrown{.s = 0.4, .a_b = 0.6, .angle = HoekBrown::Angle::tangent});
   check_same(MohrCoulomb{.cohesion = 20_MPa, .angle = 40_deg, .tension = 8_MPa});
+  check_same(Franklin{.exponent = 0.75});
 }
 
 TEST_CASE("nothing fails where it was chosen that nothing fails") {
