@@ -18,17 +18,21 @@ namespace internal {
   return is_free ? "#1f4e79" : "#8d949c";
 }
 
-/// From where to where, in pixels; the head is a third of a short arrow and never long.
-inline void arrow(Svg& svg, const Vec2& from, const Vec2& to, const std::string& colour) {
-  const double length = (to - from).norm();
-  if (!(length >= 0.5)) return;
-  const Vec2 along = (to - from) / length;
-  const double head = std::min(7.0, 0.35 * length);
-  const Vec2 neck = to - head * along;
-  const Vec2 across = 0.4 * head * perpendicular(along);
-  svg.line(from, neck, "stroke=\"" + colour + "\" stroke-width=\"1\"");
-  svg.polygon(std::array<Vec2, 3>{to, Vec2(neck + across), Vec2(neck - across)},
-              "fill=\"" + colour + "\"");
+/// Arrows from where to where, in pixels; a head is a third of a short arrow and never long.
+inline void arrows(Svg& svg, const std::vector<std::array<Vec2, 2>>& all,
+                   const std::string& colour) {
+  std::vector<std::array<Vec2, 3>> heads;
+  for (const auto& [from, to] : all) {
+    const double length = (to - from).norm();
+    if (!(length >= 0.5)) continue;
+    const Vec2 along = (to - from) / length;
+    const double head = std::min(7.0, 0.35 * length);
+    const Vec2 neck = to - head * along;
+    const Vec2 across = 0.4 * head * perpendicular(along);
+    heads.push_back({to, neck + across, neck - across});
+    svg.line(from, neck, "stroke=\"" + colour + "\"");
+  }
+  for (const auto& head : heads) svg.polygon(head, "fill=\"" + colour + "\"");
 }
 
 }  // namespace internal
@@ -48,16 +52,19 @@ inline void arrow(Svg& svg, const Vec2& from, const Vec2& to, const std::string&
   const AssemblyView view(particles, ends);
   Svg svg = view.canvas();
   view.outlines(svg, particles);
-  for (const bool is_free : {false, true})
+  for (const bool is_free : {false, true}) {
+    std::vector<std::array<Vec2, 2>> all;
     for (const Move& move : moves)
-      if (move.is_free == is_free)
-        internal::arrow(svg, view(move.from), view(move.to), internal::move_colour(is_free));
+      if (move.is_free == is_free) all.push_back({view(move.from), view(move.to)});
+    internal::arrows(svg, all, internal::move_colour(is_free));
+  }
 
   view.annotate(svg, title);
   const double left = view.legend_left() + 14;
   double row = 70;
   for (const bool is_free : {true, false}) {
-    internal::arrow(svg, {left, row - 5}, {left + 28, row - 5}, internal::move_colour(is_free));
+    internal::arrows(svg, {{Vec2{left, row - 5}, Vec2{left + 28, row - 5}}},
+                     internal::move_colour(is_free));
     svg.text({left + 38, row}, is_free ? "free particle" : "boundary");
     row += 24;
   }
