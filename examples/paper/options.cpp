@@ -25,7 +25,7 @@ Options read_options(int argc, char** argv) {
   app.add_option("--jobs", o.jobs, "runs side by side; changes no result")
       ->check(CLI::Range(1, 1024));
   app.add_flag("--quick", o.quick,
-               "a glance: 200 particles, three pressures, one sample; not a study");
+               "a glance: 150 particles, three pressures, one sample; not a study");
   app.add_option("--out", o.out, "folder for the results [paper, or paper-quick with --quick]")
       ->capture_default_str()
       ->default_str("");

@@ -98,10 +98,14 @@ TEST_CASE("the legend has a dot of its size for each sample, beside its value") 
 
 TEST_CASE("a full value that is not positive is refused") {
   const test::StillSample sample;
-  for (const double value : {0.0, -1.0})
-    CHECK_THROWS_AS(static_cast<void>(picture(sample, {}, {.full_value = value})), InvalidInput);
+  DotLegend legend;
+  for (const double value : {0.0, -1.0}) {
+    legend.full_value = value;
+    CHECK_THROWS_AS(static_cast<void>(picture(sample, {}, legend)), InvalidInput);
+  }
 }
 
 TEST_CASE("everything is on the sheet") {
-  CHECK(test::outside_canvas(picture(test::StillSample(), {0.5, 0.5, 0.5, 0.5, 0.5})) == "");
+  // Dots no larger than the particles at the edge of the picture.
+  CHECK(test::outside_canvas(picture(test::StillSample(), {0.5, 0.3, 0.3, 0.3, 0.3})) == "");
 }

@@ -13,8 +13,8 @@ namespace riprap {
 
 /// What the dots of a picture stand for.
 struct DotLegend {
-  std::string quantity;         ///< such as "contacts"
-  std::vector<double> samples;  ///< values that the legend shows, ascending
+  std::string quantity{};         ///< such as "contacts"
+  std::vector<double> samples{};  ///< values that the legend shows, ascending
   /// The value whose dot is as wide as a square of a mean particle's area.
   double full_value = 1;
   /// From here on dots have the colour of a warning, and the legend says so.
