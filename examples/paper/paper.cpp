@@ -20,9 +20,8 @@ int main(int argc, char** argv) {
     if (options.quick)
       std::printf(
           "This was a quick look at small samples: its numbers are not those of the study.\n");
-    for (const std::string& name : outcome.failed)
-      std::fprintf(stderr, "failed: %s, see %s/runs/%s/error.txt\n", name.c_str(),
-                   options.out.c_str(), name.c_str());
+    for (const std::string& place : outcome.failed)
+      std::fprintf(stderr, "failed: see %s/error.txt\n", place.c_str());
     return outcome.failed.empty() ? 0 : 1;
   } catch (const riprap::InvalidInput& error) {
     std::fprintf(stderr, "error: %s\n", error.what());

@@ -22,18 +22,56 @@ std::string to_text(Mode mode) {
   return "";
 }
 
+std::string to_text(Variation variation) {
+  switch (variation) {
+  case Variation::none:
+    return "";
+  case Variation::stocky_pieces:
+    return "stocky_pieces";
+  case Variation::large_pieces:
+    return "large_pieces";
+  case Variation::blunt_particles:
+    return "blunt_particles";
+  case Variation::slow_shear:
+    return "slow_shear";
+  }
+  return "";
+}
+
 std::string pressure_text(double pressure) { return riprap::to_text(pressure / 1e6) + " MPa"; }
 
 std::string RunPlan::name() const {
-  return to_text(mode) + "_" + riprap::to_text(pressure / 1e6) + "MPa_" + std::to_string(seed);
+  std::string name =
+      to_text(mode) + "_" + riprap::to_text(pressure / 1e6) + "MPa_" + std::to_string(seed);
+  if (variation != Variation::none) name += "_" + to_text(variation);
+  return name;
 }
 
-riprap::RandomAssembly RunPlan::assembly() const { return {.count = particles, .seed = seed}; }
+std::string RunPlan::folder() const {
+  return (variation == Variation::none ? "runs/" : "causes/") + name();
+}
+
+riprap::RandomAssembly RunPlan::assembly() const {
+  riprap::RandomAssembly a{.count = particles, .seed = seed};
+  if (variation == Variation::blunt_particles) {
+    a.shape.fewest_vertices = 5;
+    a.shape.most_vertices = 8;
+  }
+  return a;
+}
 
 riprap::BiaxialTest RunPlan::test() const {
+  const double rate = variation == Variation::slow_shear ? 0.5 : 1;
   return {.confining_pressure = pressure,
           .axial_strain = axial_strain,
-          .inertial_number = pressure < 1e6 ? 5e-4 : 1e-3};
+          .inertial_number = rate * (pressure < 1e6 ? 5e-4 : 1e-3)};
+}
+
+riprap::StraightCut RunPlan::splitter() const {
+  riprap::StraightCut cut;
+  if (variation == Variation::stocky_pieces) cut.maximum_aspect = 2;
+  if (variation == Variation::large_pieces) cut.minimum_area *= 2;
+  return cut;
 }
 
 namespace {
@@ -75,7 +113,7 @@ Json motion_json(const riprap::Model<>& model) {
           {"time_step_fraction", model.motion_model.time_step.fraction}};
 }
 
-Json breakage_json(const riprap::Model<>& model) {
+Json breakage_json(const riprap::Model<>& model, const riprap::StraightCut& splitter) {
   const auto& breakage = model.breakage_model;
   const riprap::HoekBrown& c = breakage.criterion;
   return {{"compressive_strength_Pa", c.compressive_strength},
@@ -84,8 +122,8 @@ Json breakage_json(const riprap::Model<>& model) {
           {"a_b", c.a_b},
           {"mesh_triangles", model.stress_model.mesher.triangles},
           {"ratf", breakage.trigger.critical},
-          {"minimum_piece_area", breakage.splitter.minimum_area},
-          {"maximum_piece_aspect", breakage.splitter.maximum_aspect},
+          {"minimum_piece_area", splitter.minimum_area},
+          {"maximum_piece_aspect", splitter.maximum_aspect},
           {"check_every", breakage.check_every}};
 }
 
@@ -104,7 +142,7 @@ Json RunPlan::parameters() const {
       {"rock",
        {{"density_kg_m3", rock.density}, {"young_Pa", rock.young}, {"poisson", rock.poisson}}},
       {"motion", motion_json(model)}};
-  if (mode != Mode::nb) j["breakage"] = breakage_json(model);
+  if (mode != Mode::nb) j["breakage"] = breakage_json(model, splitter());
   return j;
 }
 
@@ -126,11 +164,21 @@ std::vector<RunPlan> all_runs(const Options& options) {
   const std::vector<double> pressures = options.quick
                                             ? std::vector<double>{0.5e6, 2e6, 14e6}
                                             : std::vector<double>{0.5e6, 1e6, 2e6, 4e6, 8e6, 14e6};
+  const unsigned particles = options.quick ? 150 : 500;
   std::vector<RunPlan> runs;
   for (unsigned seed = 1; seed <= options.samples; ++seed)
     for (const double pressure : pressures)
       for (const Mode mode : {Mode::nb, Mode::wb, Mode::pinned})
-        runs.push_back({mode, pressure, seed, options.quick ? 150U : 500U});
+        runs.push_back({mode, pressure, seed, particles});
+  // Where breakage matters most.
+  for (const double pressure : pressures)
+    if (pressure >= 8e6)
+      for (const Variation variation : {Variation::stocky_pieces, Variation::large_pieces,
+                                        Variation::blunt_particles, Variation::slow_shear})
+        runs.push_back({.mode = Mode::wb,
+                        .pressure = pressure,
+                        .particles = particles,
+                        .variation = variation});
   std::stable_sort(runs.begin(), runs.end(),
                    [](const RunPlan& a, const RunPlan& b) { return a.work() > b.work(); });
   return runs;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <riprap/breakage/splitter/straight_cut.hpp>
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/particle/random_placement.hpp>
 
@@ -18,19 +19,25 @@ using Json = nlohmann::ordered_json;
 // Unbreakable; breakable and free in the stress analysis; breakable and pinned at two contacts.
 enum class Mode { nb, wb, pinned };
 
+// What a run does otherwise than its series, one thing at a time, to find the cause of a result.
+enum class Variation { none, stocky_pieces, large_pieces, blunt_particles, slow_shear };
+
 struct RunPlan {
   Mode mode = Mode::nb;
   double pressure = 2e6;  // [Pa]
   unsigned seed = 1;
   unsigned particles = 500;
   double axial_strain = 0.2;
+  Variation variation = Variation::none;
 
-  [[nodiscard]] std::string name() const;  // such as wb_0.5MPa_1
+  [[nodiscard]] std::string name() const;    // such as wb_0.5MPa_1
+  [[nodiscard]] std::string folder() const;  // within that of the study
   [[nodiscard]] bool is(Mode m, double p) const { return mode == m && pressure == p; }
   // One sample of each series is drawn.
-  [[nodiscard]] bool has_pictures() const { return seed == 1; }
+  [[nodiscard]] bool has_pictures() const { return seed == 1 && variation == Variation::none; }
   [[nodiscard]] riprap::RandomAssembly assembly() const;
   [[nodiscard]] riprap::BiaxialTest test() const;
+  [[nodiscard]] riprap::StraightCut splitter() const;
   // Everything the result depends on.
   [[nodiscard]] Json parameters() const;
   // About how long it takes, compaction and relaxation apart from the rest [any unit].
@@ -40,6 +47,7 @@ struct RunPlan {
 };
 
 std::string to_text(Mode mode);
+std::string to_text(Variation variation);
 // "0.5 MPa"
 std::string pressure_text(double pressure);
 

@@ -116,7 +116,7 @@ class Queue {
   }
 
   void note_failure(const Task& task, const std::string& error) {
-    failed_.push_back(task.plan.name());
+    failed_.push_back(task.folder.string());
     std::ofstream(task.folder / "error.txt") << error << "\n";
     std::fprintf(stderr, "%s%s failed: %s\n", in_place_ ? "\n" : "", task.plan.name().c_str(),
                  error.c_str());
@@ -165,7 +165,7 @@ StudyOutcome make_runs(const std::vector<RunPlan>& plans, const fs::path& folder
   StudyOutcome outcome;
   std::vector<std::unique_ptr<Task>> tasks;
   for (const RunPlan& plan : plans) {
-    const fs::path place = folder / "runs" / plan.name();
+    const fs::path place = folder / plan.folder();
     const Finding found = find_run(plan, place);
     if (found.finished) {
       ++outcome.kept;

@@ -3,5 +3,5 @@
 #include "study_run.hpp"
 
 void study::run_wb(const RunPlan& plan, const std::filesystem::path& folder, WorkDone& done) {
-  run_model(plan, riprap::Model{}, folder, done);
+  run_model(plan, riprap::Model{}.splitter(plan.splitter()), folder, done);
 }
