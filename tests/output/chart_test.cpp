@@ -7,6 +7,7 @@
 
 #include <riprap/core/random.hpp>
 #include <riprap/output/chart.hpp>
+#include <support/message_of.hpp>
 #include <support/near.hpp>
 #include <support/svg_document.hpp>
 
@@ -217,6 +218,89 @@ TEST_CASE("a chart carries its title, the names of its axes and its series") {
   for (const SvgElement& line : test::named(drawn.elements, "line"))
     legend_lines += line.number("x1") > drawn.frame.high.x() + 1;
   CHECK(legend_lines == 2);
+}
+
+TEST_CASE("marks stand at the points, with or without a line through them") {
+  Chart chart = chart_of({{0, 0}, {2, 10}});
+  chart.series[0].mark = Mark::circle;
+  chart.series.push_back({"squares", {{1, 2}}, "#d9661f"});
+  chart.series[1].mark = Mark::square;
+  chart.series[1].line = false;
+  chart.series.push_back({"triangles", {{1, 4}, {2, 6}}, "#2e8b57"});
+  chart.series[2].mark = Mark::triangle;
+  chart.series[2].line = false;
+  const Drawn drawn(chart);
+  REQUIRE(drawn.curves.size() == 1);
+  // The last of each kind belongs to the legend.
+  const auto circles = test::named(drawn.elements, "circle");
+  REQUIRE(circles.size() == 3);
+  for (std::size_t i = 0; i < 2; ++i) CHECK(circles[i].at("cx", "cy") == drawn.curves[0][i]);
+  CHECK(circles[2].number("cy") == test::text_element(drawn.elements, "name").number("y") - 4);
+  const auto rects = test::named(drawn.elements, "rect");  // canvas, frame, mark, legend
+  REQUIRE(rects.size() == 4);
+  const PictureBox square = box_of(rects[2]);
+  CHECK(drawn.x.read(0.5 * (square.low + square.high).x()) == near(1, 1e-3));
+  CHECK(drawn.y.read(0.5 * (square.low + square.high).y()) == near(2, 1e-2));
+  CHECK(rects[3].attribute("fill") == "#d9661f");
+  const auto triangles = test::named(drawn.elements, "polygon");
+  REQUIRE(triangles.size() == 3);
+  CHECK(drawn.x.read(triangles[1].points()[0].x()) == near(2, 1e-3));
+  CHECK(triangles[1].attribute("fill") == "#2e8b57");
+  // In the legend only the first series has a line.
+  int samples = 0;
+  for (const SvgElement& line : test::named(drawn.elements, "line"))
+    samples += line.number("x1") > drawn.frame.high.x() + 1;
+  CHECK(samples == 1);
+}
+
+TEST_CASE("error bars reach as far as they say, and the axis with them") {
+  Chart chart = chart_of({{0, 10}, {1, 20}, {2, 15}});
+  chart.series[0].y_errors = {1, 5.5, 0};
+  const Drawn drawn(chart);
+  // From 9 to 25.5 in steps of 5; the points alone would end at 20.
+  CHECK(drawn.y.values == std::vector<double>{5, 10, 15, 20, 25, 30});
+  std::vector<SvgElement> bars;
+  for (const SvgElement& line : test::named(drawn.elements, "line"))
+    if (line.attribute("stroke") == "#1f6fb4" && line.number("x1") == line.number("x2"))
+      bars.push_back(line);
+  REQUIRE(bars.size() == 2);  // none where the error is zero
+  const std::vector<Vec2> ends{{9, 11}, {14.5, 25.5}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    // All pixels are rounded to 0.005.
+    CHECK(bars[i].number("x1") == near(drawn.curves[0][i].x(), 0.011));
+    CHECK(drawn.y.read(bars[i].number("y1")) == near(ends[i].x(), 0.002));
+    CHECK(drawn.y.read(bars[i].number("y2")) == near(ends[i].y(), 0.002));
+  }
+}
+
+TEST_CASE("a logarithmic axis gives every decade the same length") {
+  Chart chart = chart_of({{0.5, 1}, {5, 2}, {14, 3}});
+  chart.x_scale = AxisScale::logarithmic;
+  const Drawn drawn(chart);
+  CHECK(drawn.x.values == std::vector<double>{0.5, 1, 2, 5, 10, 20});
+  CHECK(drawn.x.pixels.front() == drawn.frame.low.x());
+  CHECK(drawn.x.pixels.back() == near(drawn.frame.high.x(), 0.01));
+  const double decade = drawn.x.pixels[4] - drawn.x.pixels[1];
+  CHECK(drawn.x.pixels[3] - drawn.x.pixels[0] == near(decade, 0.02));
+  CHECK(drawn.x.pixels[2] - drawn.x.pixels[1] == near(decade * std::log10(2.0), 0.02));
+  CHECK(drawn.curves[0][1].x() == near(drawn.x.pixels[3], 0.011));
+  check_ticks_are_round(drawn.y);
+
+  Chart upright = chart_of({{1, 0.5}, {2, 14}});
+  upright.y_scale = AxisScale::logarithmic;
+  CHECK(Drawn(upright).y.values == std::vector<double>{0.5, 1, 2, 5, 10, 20});
+}
+
+TEST_CASE("charts that cannot be drawn are refused") {
+  using test::message_of;
+  Chart chart = chart_of({{0, 1}, {1, 2}});
+  chart.series[0].y_errors = {1};
+  CHECK(message_of([&] { (void)Drawn(chart); }) ==
+        "number of error bars of series \"name\" = 1: must be 0 or the number of points");
+  chart.series[0].y_errors = {1, 1};
+  chart.y_scale = AxisScale::logarithmic;
+  CHECK(message_of([&] { (void)Drawn(chart); }) ==
+        "value on a logarithmic axis = 0: must lie above 0");
 }
 
 TEST_CASE("charts stand in rows of two, each in its own cell") {

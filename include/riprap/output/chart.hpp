@@ -1,24 +1,31 @@
 #pragma once
 /// @file
-/// Line charts with axes, units and a legend.
+/// Charts of curves and of measured points, with axes, units and a legend.
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include <riprap/core/errors.hpp>
+#include <riprap/output/chart_axis.hpp>
 #include <riprap/output/svg.hpp>
 
 namespace riprap {
 
-/// One curve of a chart.
+/// What stands at every point of a series.
+enum class Mark { none, circle, square, triangle };
+
+/// One curve of a chart, or one set of measured points.
 struct Series {
   std::string name;
   std::vector<Vec2> points;
   std::string colour = "#1f6fb4";
   bool dashed = false;
+  Mark mark = Mark::none;
+  bool line = true;                ///< joins the points
+  std::vector<double> y_errors{};  ///< half the length of each point's error bar; empty for no bars
 };
 
 /// A chart; the axes end on round numbers.
@@ -27,33 +34,26 @@ struct Chart {
   std::string x_label;
   std::string y_label;
   std::vector<Series> series;
+  AxisScale x_scale = AxisScale::linear;
+  AxisScale y_scale = AxisScale::linear;
 
-  /// Draws into a rectangle of a picture.
+  /// Draws into a rectangle of a picture. Throws InvalidInput if a series has error bars of another
+  /// number than its points, or a logarithmic axis a value that is not above 0.
   void draw(Svg& svg, const Vec2& corner, const Vec2& size) const {
-    const Axis x = axis(0);
-    const Axis y = axis(1);
-    const Vec2 low = corner + Vec2{margin_left, size.y() - margin_bottom};
-    const Vec2 high = corner + Vec2{size.x() - margin_right, margin_top};
-    const auto at = [&](const Vec2& v) -> Vec2 {
-      return {low.x() + (v.x() - x.low) / (x.high - x.low) * (high.x() - low.x()),
-              low.y() + (v.y() - y.low) / (y.high - y.low) * (high.y() - low.y())};
-    };
-    draw_axes(svg, x, y, low, high, at);
-    svg.text({0.5 * (low.x() + high.x()), corner.y() + 20}, title, "middle", 15);
-    svg.text({0.5 * (low.x() + high.x()), corner.y() + size.y() - 12}, x_label, "middle");
-    svg.text({corner.x() + 18, 0.5 * (low.y() + high.y())}, y_label, "middle", 13, -90);
-
-    double row = high.y() + 16;
+    const Frame frame{x_axis(), y_axis(), corner + Vec2{margin_left, size.y() - margin_bottom},
+                      corner + Vec2{size.x() - margin_right, margin_top}};
+    frame.draw(svg);
+    const double middle = 0.5 * (frame.low.x() + frame.high.x());
+    svg.text({middle, corner.y() + 20}, title, "middle", 15);
+    svg.text({middle, corner.y() + size.y() - 12}, x_label, "middle");
+    svg.text({corner.x() + 18, 0.5 * (frame.low.y() + frame.high.y())}, y_label, "middle", 13, -90);
+    double row = frame.high.y() + 16;
     for (const Series& s : series) {
-      const std::string style = "fill=\"none\" stroke=\"" + s.colour + "\" stroke-width=\"1.8\"" +
-                                (s.dashed ? " stroke-dasharray=\"6 4\"" : "");
-      std::vector<Vec2> placed;
-      placed.reserve(s.points.size());
-      for (const Vec2& p : s.points) placed.push_back(at(p));
-      svg.polyline(placed, style);
+      draw_series(svg, s, frame);
       if (s.name.empty()) continue;
-      const double left = high.x() + 12;
-      svg.line({left, row - 4}, {left + 26, row - 4}, style);
+      const double left = frame.high.x() + 12;
+      if (s.line) svg.line({left, row - 4}, {left + 26, row - 4}, line_style(s));
+      draw_mark(svg, s, {left + 13, row - 4});
       svg.text({left + 32, row}, s.name, "start", 12);
       row += 18;
     }
@@ -65,63 +65,98 @@ struct Chart {
   static constexpr double margin_top = 34;
   static constexpr double margin_bottom = 52;
 
-  struct Axis {
-    double low = 0;
-    double high = 1;
-    double tick = 0.2;
+  // The axes and the pixels of their ends.
+  struct Frame {
+    ChartAxis x;
+    ChartAxis y;
+    Vec2 low;
+    Vec2 high;
+
+    [[nodiscard]] Vec2 at(const Vec2& v) const {
+      return {low.x() + x.share(v.x()) * (high.x() - low.x()),
+              low.y() + y.share(v.y()) * (high.y() - low.y())};
+    }
+    void draw(Svg& svg) const {
+      constexpr auto grid = "stroke=\"#ddd\" stroke-width=\"1\"";
+      constexpr auto zero = "stroke=\"#888\" stroke-width=\"1\"";
+      for (const AxisTick& tick : x.ticks()) {
+        const double px = at({tick.value, y.low()}).x();
+        svg.line({px, low.y()}, {px, high.y()}, grid);
+        svg.text({px, low.y() + 18}, tick.label, "middle", 12);
+      }
+      for (const AxisTick& tick : y.ticks()) {
+        const double py = at({x.low(), tick.value}).y();
+        svg.line({low.x(), py}, {high.x(), py}, y.is_zero(tick) ? zero : grid);
+        svg.text({low.x() - 8, py + 4}, tick.label, "end", 12);
+      }
+      svg.rectangle({low.x(), high.y()}, {high.x() - low.x(), low.y() - high.y()},
+                    "fill=\"none\" stroke=\"#444\"");
+    }
   };
 
-  [[nodiscard]] Axis axis(Eigen::Index which) const {
+  [[nodiscard]] static double y_error(const Series& s, std::size_t i) {
+    return s.y_errors.empty() ? 0 : s.y_errors[i];
+  }
+
+  [[nodiscard]] static ChartAxis axis(AxisScale scale, double low, double high) {
+    return scale == AxisScale::linear ? ChartAxis::linear(low, high)
+                                      : ChartAxis::logarithmic(low, high);
+  }
+  [[nodiscard]] ChartAxis x_axis() const {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const Series& s : series)
       for (const Vec2& p : s.points) {
-        low = std::min(low, p[which]);
-        high = std::max(high, p[which]);
+        low = std::min(low, p.x());
+        high = std::max(high, p.x());
       }
-    if (!(low < high)) {
-      low = std::isfinite(low) ? low - 0.5 : 0;
-      high = low + 1;
+    return axis(x_scale, low, high);
+  }
+  [[nodiscard]] ChartAxis y_axis() const {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const Series& s : series) {
+      require(s.y_errors.empty() || s.y_errors.size() == s.points.size(),
+              "number of error bars of series \"" + s.name + "\"",
+              static_cast<double>(s.y_errors.size()), "must be 0 or the number of points");
+      for (std::size_t i = 0; i < s.points.size(); ++i) {
+        low = std::min(low, s.points[i].y() - y_error(s, i));
+        high = std::max(high, s.points[i].y() + y_error(s, i));
+      }
     }
-    const double raw = (high - low) / 5;
-    const double decade = std::pow(10, std::floor(std::log10(raw)));
-    double tick = 10 * decade;
-    for (const double step : {5.0, 2.0, 1.0})
-      if (step * decade >= raw) tick = step * decade;
-    // A hair beyond a tick does not ask for another one.
-    return {tick * std::floor(low / tick + 0.02), tick * std::ceil(high / tick - 0.02), tick};
+    return axis(y_scale, low, high);
   }
 
-  template <class Place>
-  static void draw_axes(Svg& svg, const Axis& x, const Axis& y, const Vec2& low, const Vec2& high,
-                        const Place& at) {
-    constexpr auto grid = "stroke=\"#ddd\" stroke-width=\"1\"";
-    constexpr auto zero = "stroke=\"#888\" stroke-width=\"1\"";
-    for (int k = 0; x.low + k * x.tick <= x.high + 0.01 * x.tick; ++k) {
-      const double v = x.low + k * x.tick;
-      const double px = at({v, y.low}).x();
-      svg.line({px, low.y()}, {px, high.y()}, grid);
-      svg.text({px, low.y() + 18}, label(v, x.tick), "middle", 12);
-    }
-    for (int k = 0; y.low + k * y.tick <= y.high + 0.01 * y.tick; ++k) {
-      const double v = y.low + k * y.tick;
-      const double py = at({x.low, v}).y();
-      svg.line({low.x(), py}, {high.x(), py}, std::abs(v) < 0.01 * y.tick ? zero : grid);
-      svg.text({low.x() - 8, py + 4}, label(v, y.tick), "end", 12);
-    }
-    svg.rectangle({low.x(), high.y()}, {high.x() - low.x(), low.y() - high.y()},
-                  "fill=\"none\" stroke=\"#444\"");
+  [[nodiscard]] static std::string line_style(const Series& s) {
+    return "fill=\"none\" stroke=\"" + s.colour + "\" stroke-width=\"1.8\"" +
+           (s.dashed ? " stroke-dasharray=\"6 4\"" : "");
   }
 
-  // As many decimals as the tick needs.
-  [[nodiscard]] static std::string label(double value, double tick) {
-    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(tick) - 1e-9)));
-    if (std::abs(value) < 1e-6 * tick) value = 0;
-    char buffer[64];
-    const auto end =
-        std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals)
-            .ptr;
-    return {buffer, end};
+  static void draw_series(Svg& svg, const Series& s, const Frame& frame) {
+    std::vector<Vec2> placed;
+    placed.reserve(s.points.size());
+    for (const Vec2& p : s.points) placed.push_back(frame.at(p));
+    if (s.line) svg.polyline(placed, line_style(s));
+    const std::string bar = "stroke=\"" + s.colour + "\" stroke-width=\"1.2\"";
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      if (y_error(s, i) > 0) {
+        const Vec2 error{0, s.y_errors[i]};
+        const Vec2 from = frame.at(s.points[i] - error);
+        const Vec2 to = frame.at(s.points[i] + error);
+        svg.line(from, to, bar);
+        for (const Vec2& end : {from, to}) svg.line(end - Vec2{4, 0}, end + Vec2{4, 0}, bar);
+      }
+      draw_mark(svg, s, placed[i]);
+    }
+  }
+
+  static void draw_mark(Svg& svg, const Series& s, const Vec2& at) {
+    const std::string style = "fill=\"" + s.colour + "\" stroke=\"white\" stroke-width=\"0.6\"";
+    if (s.mark == Mark::circle) svg.circle(at, 3.6, style);
+    if (s.mark == Mark::square) svg.rectangle(at - Vec2{3.3, 3.3}, {6.6, 6.6}, style);
+    if (s.mark == Mark::triangle)
+      svg.polygon(std::vector<Vec2>{at + Vec2{0, -4.6}, at + Vec2{4.2, 3.2}, at + Vec2{-4.2, 3.2}},
+                  style);
   }
 };
 

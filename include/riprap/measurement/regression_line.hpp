@@ -1,0 +1,41 @@
+#pragma once
+/// @file
+/// The straight line that predicts one measured quantity from another.
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <span>
+
+#include <riprap/core/errors.hpp>
+#include <riprap/core/vec2.hpp>
+
+namespace riprap {
+
+/// y = intercept + slope x.
+struct RegressionLine {
+  double intercept = 0;  ///< in the unit of y
+  double slope = 0;      ///< in the unit of y over that of x
+  double scatter = 0;    ///< root mean square distance of the points from it along y
+};
+
+/// Least squares of the distances along y. Throws InvalidInput for fewer than two different x.
+[[nodiscard]] inline RegressionLine regression_line(std::span<const Vec2> points) {
+  const auto count = static_cast<Eigen::Index>(points.size());
+  require(count >= 2, "regression_line: number of points", static_cast<double>(count),
+          "must be 2 or more");
+  Eigen::MatrixX2d terms(count, 2);
+  Eigen::VectorXd y(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Vec2& p = points[static_cast<std::size_t>(i)];
+    terms.row(i) << 1, p.x();
+    y[i] = p.y();
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixX2d> factors(terms);
+  require(factors.rank() == 2, "regression_line: x of all points", points.front().x(),
+          "must not be the same");
+  const Eigen::Vector2d line = factors.solve(y);
+  return {line[0], line[1],
+          std::sqrt((terms * line - y).squaredNorm() / static_cast<double>(count))};
+}
+
+}  // namespace riprap

@@ -1,0 +1,73 @@
+#include <riprap/output/chart_axis.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <support/message_of.hpp>
+#include <support/near.hpp>
+
+using namespace riprap;
+using test::near;
+
+namespace {
+
+// A quotient of logarithms.
+constexpr double round_off = 1e-14;
+
+std::vector<std::string> labels(const ChartAxis& axis) {
+  std::vector<std::string> out;
+  for (const AxisTick& tick : axis.ticks()) out.push_back(tick.label);
+  return out;
+}
+
+using Labels = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("a linear axis ends on the ticks next to the data") {
+  const ChartAxis axis = ChartAxis::linear(-0.31, 0.62);
+  CHECK(labels(axis) == Labels{"-0.4", "-0.2", "0.0", "0.2", "0.4", "0.6", "0.8"});
+  CHECK(axis.share(axis.low()) == 0);
+  CHECK(axis.share(axis.high()) == 1);
+  CHECK(axis.share(0.2) == near(0.5, round_off));
+  for (const AxisTick& tick : axis.ticks()) CHECK(axis.is_zero(tick) == (tick.label == "0.0"));
+}
+
+TEST_CASE("a logarithmic axis ends on 1, 2 or 5 times a power of ten next to the data") {
+  CHECK(labels(ChartAxis::logarithmic(0.5, 14)) == Labels{"0.5", "1", "2", "5", "10", "20"});
+  CHECK(labels(ChartAxis::logarithmic(1, 10)) == Labels{"1", "2", "5", "10"});
+  CHECK(labels(ChartAxis::logarithmic(0.021, 0.19)) == Labels{"0.02", "0.05", "0.1", "0.2"});
+  CHECK(labels(ChartAxis::logarithmic(6e4, 7e4)) == Labels{"50000", "100000"});
+  // Round-off beyond a tick does not lengthen it.
+  CHECK(labels(ChartAxis::logarithmic(2 - 1e-15, 5 + 1e-14)) == Labels{"2", "5"});
+}
+
+TEST_CASE("over more than four decades a logarithmic axis shows powers of ten") {
+  CHECK(labels(ChartAxis::logarithmic(0.03, 1234)) ==
+        Labels{"0.01", "0.1", "1", "10", "100", "1000", "10000"});
+}
+
+TEST_CASE("a logarithmic axis gives equal factors equal lengths") {
+  const ChartAxis axis = ChartAxis::logarithmic(0.01, 100);
+  CHECK(axis.share(0.01) == 0);
+  CHECK(axis.share(100) == 1);
+  CHECK(axis.share(1) == near(0.5, round_off));
+  CHECK(axis.share(0.2) - axis.share(0.02) == near(0.25, round_off));
+  for (const AxisTick& tick : axis.ticks()) CHECK(!axis.is_zero(tick));
+}
+
+TEST_CASE("a logarithmic axis of one value lies about it, one of none is a decade") {
+  CHECK(labels(ChartAxis::logarithmic(4, 4)) == Labels{"2", "5", "10"});
+  const double none = std::nan("");
+  CHECK(labels(ChartAxis::logarithmic(none, none)) == Labels{"1", "2", "5", "10"});
+}
+
+TEST_CASE("a logarithmic axis has no place for zero") {
+  CHECK(test::message_of([] { (void)ChartAxis::logarithmic(0, 3); }) ==
+        "value on a logarithmic axis = 0: must lie above 0");
+  CHECK(test::message_of([] { (void)ChartAxis::logarithmic(-2, -2); }) ==
+        "value on a logarithmic axis = -2: must lie above 0");
+}
