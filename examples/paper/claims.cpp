@@ -11,20 +11,6 @@ namespace report {
 
 namespace {
 
-// As many decimals as the standard error asks for, two figures of it.
-std::string number_text(const Estimate& e) {
-  int decimals = 3;
-  if (e.standard_error > 0)
-    decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(e.standard_error))), 0, 4);
-  char buffer[96];
-  if (e.samples < 2 || std::isnan(e.standard_error))
-    std::snprintf(buffer, sizeof buffer, "%.*f", decimals, e.mean + 0.0);
-  else
-    std::snprintf(buffer, sizeof buffer, "%.*f ± %.*f", decimals, e.mean + 0.0, decimals,
-                  e.standard_error);
-  return buffer;
-}
-
 // "NB at 0.5 MPa, 1 MPa; WB at all pressures" of the findings with an outcome.
 std::string places(const std::vector<Finding>& findings, Outcome outcome) {
   std::vector<std::string> order;
@@ -80,6 +66,19 @@ std::string to_text(Outcome outcome) {
 Json real_json(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 }  // namespace
+
+std::string number_text(const Estimate& e) {
+  int decimals = 3;
+  if (e.standard_error > 0)
+    decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(e.standard_error))), 0, 4);
+  char buffer[96];
+  if (e.samples < 2 || std::isnan(e.standard_error))
+    std::snprintf(buffer, sizeof buffer, "%.*f", decimals, e.mean + 0.0);
+  else
+    std::snprintf(buffer, sizeof buffer, "%.*f ± %.*f", decimals, e.mean + 0.0, decimals,
+                  e.standard_error);
+  return buffer;
+}
 
 std::string to_text(Verdict verdict) {
   constexpr std::array names = {"holds", "holds in part", "does not hold", "not judged"};

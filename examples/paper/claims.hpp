@@ -41,6 +41,9 @@ Claim judged(const Statement& statement, const Evidence& evidence);
 // All statements, judged with the runs of `breakable` as those with breakage.
 std::vector<Claim> judge_claims(const Results& results, Mode breakable);
 
+// Mean and standard error with as many decimals as two figures of the error ask for.
+std::string number_text(const Estimate& estimate);
+
 // The findings that count, in a few words: "WB less NB: 0.5 MPa 0.012 +- 0.004, ...".
 std::string findings_text(const Evidence& evidence);
 
