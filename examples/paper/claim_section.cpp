@@ -105,10 +105,9 @@ std::string sentence(std::string text) {
 }
 
 void add_claim(Document& document, const ShownClaim& c) {
-  document.push_back(Heading{4, "Claim " + std::to_string(c.number) + ": " + c.verdict,
+  document.push_back(Heading{4, "Claim " + std::to_string(c.number) + ": **" + c.verdict + "**",
                              "claim-" + std::to_string(c.number)});
-  document.push_back(Paragraph{sentence(c.text) + " (Section " + c.section + " of the paper.) **" +
-                               c.verdict + "**"});
+  document.push_back(Paragraph{sentence(c.text) + " (Section " + c.section + " of the paper.)"});
   List lines;
   lines.items.push_back("Reason: " + sentence(c.reason));
   lines.items.push_back("Rule: " + sentence(c.rule));

@@ -83,7 +83,7 @@ Claim axial_forces_grow(const Results& results, Mode breakable) {
                    [](const Run& run) {
                      if (run.force_side.empty()) return none;
                      return std::abs(run.force_side.back() - run.force_side.front()) /
-                            axial_growth(run);
+                            std::abs(axial_growth(run));
                    },
                    Claimed::below, 0.25)
                    .labelled("lateral change over axial"));

@@ -1,7 +1,7 @@
 #include "report.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <map>
 #include <set>
 
 #include <riprap/output/file.hpp>
@@ -10,6 +10,7 @@
 #include "figures.hpp"
 #include "requirements.hpp"
 #include "result_tables.hpp"
+#include "rockfill.hpp"
 
 namespace report {
 
@@ -136,6 +137,26 @@ void add_figures(Document& document, const Results& results, const std::vector<S
   }
 }
 
+// For those who build with rock.
+void add_rockfill(Document& document, const Results& results) {
+  std::vector<Json> runs;
+  for (const Run& run : results.runs) runs.push_back(read_json(run.folder / "run.json"));
+  const rockfill::Findings found = rockfill::findings(runs);
+  document.push_back(Heading{2, "For rockfill engineers", "rockfill"});
+  add(document,
+      "The same runs in the terms of those who build with rock. Two-dimensional samples of one "
+      "narrow grading are no substitute for tests; what can be compared is how strength falls with "
+      "stress.");
+  for (std::size_t i = 0; i < found.charts.size(); ++i)
+    document.push_back(Pictures{{{"rockfill_" + std::to_string(i + 1), "",
+                                  riprap::chart_sheet({found.charts[i]}).document()}}});
+  for (const rockfill::Table& table : found.tables) {
+    add(document, "**" + table.title + "**");
+    document.push_back(Table{table.head, table.rows});
+  }
+  document.push_back(List{found.notes});
+}
+
 void add_repeating(Document& document) {
   document.push_back(Heading{2, "How to repeat it", "repeat"});
   document.push_back(
@@ -148,12 +169,8 @@ void add_repeating(Document& document) {
       "gives the same bytes on every machine of the same architecture, whatever the compiler.");
 }
 
-}  // namespace
-
-void write_report(const std::filesystem::path& folder) {
-  const Results results = read_results(folder);
-  const std::vector<ShownClaim> claims = shown_claims(results, folder);
-
+Document document_of(const Results& results, const std::vector<ShownClaim>& claims,
+                     const std::filesystem::path& folder) {
   Document document;
   add_introduction(document, results);
   add_summary(document, claims);
@@ -161,14 +178,24 @@ void write_report(const std::filesystem::path& folder) {
   add_parameters(document, results);
   add_results(document, results);
   add_figures(document, results, claims, folder);
+  add_rockfill(document, results);
   add_repeating(document);
+  return document;
+}
 
-  Json json = Json::array();
-  for (const ShownClaim& claim : claims) json.push_back(claim.json);
+}  // namespace
+
+}  // namespace report
+
+void write_report(const std::filesystem::path& folder) {
+  const report::Results results = report::read_results(folder);
+  const std::vector<report::ShownClaim> claims = report::shown_claims(results, folder);
+  const report::Document document = report::document_of(results, claims, folder);
+
+  report::Json json = report::Json::array();
+  for (const report::ShownClaim& claim : claims) json.push_back(claim.json);
   riprap::write_file((folder / "claims.json").string(), json.dump(2) + "\n");
-  riprap::write_file((folder / "report.html").string(), to_html(document, title));
+  riprap::write_file((folder / "report.html").string(), to_html(document, report::title));
   riprap::write_file((folder / "paper.md").string(), to_markdown(document, "images/paper"));
   save_pictures(document, folder / "images" / "paper");
 }
-
-}  // namespace report

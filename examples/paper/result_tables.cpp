@@ -25,8 +25,10 @@ std::string range(const Results& results, Mode mode, double pressure, const Feat
   if (all.empty()) return "";
   const std::string mean = number(format, estimate(all).mean);
   if (all.size() == 1) return mean;
-  const auto [low, high] = std::minmax_element(all.begin(), all.end());
-  return mean + " (" + number(format, *low) + " to " + number(format, *high) + ")";
+  const auto [least, most] = std::minmax_element(all.begin(), all.end());
+  const std::string low = number(format, *least);
+  const std::string high = number(format, *most);
+  return low == high ? mean : mean + " (" + low + " to " + high + ")";
 }
 
 struct Column {
