@@ -46,7 +46,7 @@ ShownClaim shown(const Claim& claim) {
           .rule = s.rule,
           .quantity = s.quantity,
           .verdict = to_text(claim.verdict),
-          .reason = claim.reason,
+          .reason = claim.reason + (claim.remark.empty() ? "" : " ") + claim.remark,
           .figures = s.figures,
           .numbers = numbers_table(claim.evidence)};
 }

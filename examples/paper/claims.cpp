@@ -34,27 +34,39 @@ std::string places(const std::vector<Finding>& findings, Outcome outcome) {
   return out;
 }
 
-std::string reason_of(const Statement& statement, const Evidence& evidence, Verdict verdict) {
-  if (verdict == Verdict::not_judged) {
-    std::string out = "Missing: ";
-    constexpr std::size_t named = 3;
-    const std::size_t all = evidence.missing.size();
-    for (std::size_t i = 0; i < std::min(all, named); ++i)
-      out += (i > 0 ? "; " : "") + evidence.missing[i];
-    return out + (all > named ? "; and " + std::to_string(all - named) + " more." : ".");
-  }
-  if (verdict == Verdict::holds)
-    return statement.if_holds.empty() ? "As claimed throughout."
-                                      : "As claimed throughout. " + statement.if_holds;
+std::string missing_text(const std::vector<std::string>& missing) {
+  std::string out = "Missing: ";
+  constexpr std::size_t named = 3;
+  for (std::size_t i = 0; i < std::min(missing.size(), named); ++i)
+    out += (i > 0 ? "; " : "") + missing[i];
+  if (missing.size() <= named) return out + ".";
+  return out + "; and " + std::to_string(missing.size() - named) + " more.";
+}
+
+std::string reason_of(const Evidence& evidence, Verdict verdict) {
+  if (verdict == Verdict::not_judged) return missing_text(evidence.missing);
+  if (verdict == Verdict::holds) return "As claimed throughout.";
   std::string out;
   for (const auto& [outcome, name] : {std::pair{Outcome::agrees, "As claimed"},
                                       {Outcome::within_scatter, "Not clear"},
                                       {Outcome::against, "The other way"}})
     if (const std::string where = places(evidence.findings, outcome); !where.empty())
       out += (out.empty() ? "" : " ") + std::string(name) + ": " + where + ".";
-  const std::string& remark =
-      verdict == Verdict::holds_in_part ? statement.if_in_part : statement.if_not;
-  return remark.empty() ? out : out + " " + remark;
+  return out;
+}
+
+std::string remark_of(const Statement& statement, Verdict verdict) {
+  switch (verdict) {
+  case Verdict::holds:
+    return statement.if_holds;
+  case Verdict::holds_in_part:
+    return statement.if_in_part;
+  case Verdict::does_not_hold:
+    return statement.if_not;
+  case Verdict::not_judged:
+    break;
+  }
+  return "";
 }
 
 std::string to_text(Outcome outcome) {
@@ -100,7 +112,8 @@ Verdict verdict_of(const Evidence& evidence) {
 
 Claim judged(const Statement& statement, const Evidence& evidence) {
   const Verdict verdict = verdict_of(evidence);
-  return {statement, evidence, verdict, reason_of(statement, evidence, verdict)};
+  return {statement, evidence, verdict, reason_of(evidence, verdict),
+          remark_of(statement, verdict)};
 }
 
 std::vector<Claim> judge_claims(const Results& results, Mode breakable) {
@@ -144,7 +157,7 @@ Json to_json(const Claim& claim) {
           {"quantity", s.quantity},
           {"numbers", numbers},
           {"verdict", to_text(claim.verdict)},
-          {"reason", claim.reason}};
+          {"reason", claim.reason + (claim.remark.empty() ? "" : " ") + claim.remark}};
 }
 
 }  // namespace report

@@ -30,7 +30,8 @@ struct Claim {
   Statement statement;
   Evidence evidence;
   Verdict verdict = Verdict::not_judged;
-  std::string reason;
+  std::string reason;  // where it is as claimed and where not, or what is missing
+  std::string remark;  // what explains that; may be empty
 };
 
 // Holds if all findings that count agree, in part if some do, not if none does; not judged while

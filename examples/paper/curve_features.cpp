@@ -60,7 +60,9 @@ double strain_at_share_of_peak(const Run& run, const std::string& column, double
 }
 
 double loss_after_peak(const Run& run, const std::string& column) {
-  return 1 - at_end(run, column) / smooth_peak(run, column).value;
+  const Peak peak = smooth_peak(run, column);
+  if (peak.strain > run.column("axial_strain").back() - 0.05) return 0;
+  return 1 - at_end(run, column) / peak.value;
 }
 
 double mean_gap(const Run& run, const std::string& prediction) {

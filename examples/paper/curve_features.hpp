@@ -24,7 +24,7 @@ struct Peak {
 Peak smooth_peak(const Run& run, const std::string& column);
 // The first strain at which the smoothed column has a share of its peak.
 double strain_at_share_of_peak(const Run& run, const std::string& column, double share);
-// Share of the smoothed peak that is lost by the last 5 % of strain.
+// Share of the smoothed peak that is lost by the last 5 % of strain; 0 where it stands there.
 double loss_after_peak(const Run& run, const std::string& column);
 
 // Mean distance of a prediction of sin phi from the measured one, from 1 % of strain on: before it

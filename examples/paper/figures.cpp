@@ -122,8 +122,8 @@ std::vector<Figure> particle_figures(const Results& r) {
              {{Mode::nb, high, "sheared_paths", "(b) NB"},
               {Mode::wb, high, "sheared_paths", "(b) WB"}}}),
       drawn(r, 8, "Rat of every particle when shear begins, and at its end",
-            "The size of a dot is that of Rat. At 14 MPa, beside, there are the large values that "
-            "the paper shows at 0.5 MPa.",
+            "The size of a dot is that of Rat. The end of shear, and 14 MPa, are there to compare "
+            "with.",
             {{{Mode::wb, low, "rat_dots", "WB, 0.5 MPa, start of shear"},
               {Mode::pinned, low, "rat_dots", "two contacts pinned, 0.5 MPa, start of shear"}},
              {{Mode::wb, low, "rat_dots_end", "WB, 0.5 MPa, end"},
