@@ -113,8 +113,11 @@ Table parameters_table(const Json& given) {
   Table table{{"parameter", "value", "source, or why"}, {}};
   for (const Parameter& p : parameters) {
     const Json::json_pointer path(p.path);
-    const std::string value =
-        given.contains(path) ? value_text(given.at(path), p.factor) + " " + p.unit : "not recorded";
+    std::string value = "not recorded";
+    if (given.contains(path)) {
+      value = value_text(given.at(path), p.factor);
+      if (*p.unit != 0) value += std::string(" ") + p.unit;
+    }
     table.rows.push_back({p.name, value, p.remark});
   }
   return table;

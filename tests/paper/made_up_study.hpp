@@ -145,4 +145,54 @@ class MadeUpRun {
   return results;
 }
 
+/// What such a run would leave as run.json; stresses fit its friction.
+[[nodiscard]] inline report::Json run_json(const report::Run& run) {
+  report::Json curve = run.curve;
+  for (const double sin_phi : run.column("sin_phi")) {
+    curve["sigma_11_Pa"].push_back(run.pressure);
+    curve["sigma_22_Pa"].push_back(run.pressure * (1 + sin_phi) / (1 - sin_phi));
+    curve["porosity"].push_back(0.2);
+  }
+  report::Json breaks = report::Json::array();
+  for (const report::Break& b : run.breaks)
+    breaks.push_back({{"stage", b.in_shear ? "shear" : "hydrostatic"},
+                      {"radius_share", b.radius_share},
+                      {"band_share", b.band_share ? report::Json(*b.band_share) : report::Json()}});
+  report::Json bands = {{"axial_strain", report::Json::array()},
+                        {"radius_share", report::Json::array()},
+                        {"diagonal_share", report::Json::array()}};
+  for (const report::Bands& b : run.bands) {
+    bands["axial_strain"].push_back(b.axial_strain);
+    bands["radius_share"].push_back(b.radius_share);
+    bands["diagonal_share"].push_back(b.diagonal_share);
+  }
+  const std::string mode = run.mode == report::Mode::nb   ? "nb"
+                           : run.mode == report::Mode::wb ? "wb"
+                                                          : "pinned";
+  return {{"mode", mode},
+          {"pressure_Pa", run.pressure},
+          {"seed", run.seed},
+          {"particles", run.particles},
+          {"wall_s", 60},
+          {"curve", curve},
+          {"breaks", breaks},
+          {"rat_at_shear_start", run.rat_at_shear_start},
+          {"movement",
+           {{"ring_outer_share", run.ring_outer_share},
+            {"mean_displacement_m", run.ring_displacement}}},
+          {"normal_forces",
+           {{"axial_strain", run.force_strain},
+            {"mean_near_axis_2_N", run.force_axial},
+            {"mean_near_axis_1_N", run.force_side}}},
+          {"bands", bands},
+          {"grading",
+           {{"size_m", {0.01, 0.02}},
+            {"finer_before", {0, 1}},
+            {"finer_after", {0.1, 1}},
+            {"marsal_b_g", 0.1}}},
+          {"numbers", {{"kappa", 1e-3}, {"energy_error", nullptr}}},
+          {"warnings", {"made up"}},
+          {"parameters", {{"motion", {{"friction", 0.5}}}}}};
+}
+
 }  // namespace riprap::test
