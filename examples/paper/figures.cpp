@@ -5,7 +5,6 @@
 #include <iterator>
 
 #include "charts.hpp"
-#include "compact_svg.hpp"
 
 namespace report {
 
@@ -48,7 +47,7 @@ Figure drawn(const Results& results, int number, const std::string& title, const
       std::string pressure = pressure_text(s.pressure);
       pressure.replace(pressure.find(' '), 1, "");
       row.pictures.push_back({figure_name(number) + "_" + mode + "_" + pressure + "_" + s.file,
-                              s.caption, compact_svg(read_text(file))});
+                              s.caption, read_text(file)});
     }
     if (!row.pictures.empty()) figure.rows.push_back(row);
   }
@@ -58,10 +57,8 @@ Figure drawn(const Results& results, int number, const std::string& title, const
 
 Figure charted(int number, const std::string& title, const std::string& text,
                const std::vector<riprap::Chart>& charts) {
-  return {number,
-          title,
-          text,
-          {{{{figure_name(number), "", compact_svg(riprap::chart_sheet(charts).document())}}}}};
+  return {
+      number, title, text, {{{{figure_name(number), "", riprap::chart_sheet(charts).document()}}}}};
 }
 
 // Snapshots of both series: a row without and a row with breakage.
@@ -92,15 +89,15 @@ std::vector<Figure> unconfined_figures(const std::filesystem::path& folder) {
     for (const auto& file : files) {
       const std::string name = file.stem().string();
       if (!name.starts_with("fig" + std::to_string(figure.number))) continue;
-      figure.rows.push_back({{{figure_name(figure.number), "", compact_svg(read_text(file))}}});
+      figure.rows.push_back({{{figure_name(figure.number), "", read_text(file)}}});
     }
     if (figure.rows.empty())
       figure.text = "Not drawn: the unconfined tests are no part of this folder.";
   }
   const auto others = folder / "what_moves_rat.svg";
   if (std::filesystem::exists(others))
-    all.back().rows.push_back({{{"fig_05_what_moves_rat", "What does move Rat at failure",
-                                 compact_svg(read_text(others))}}});
+    all.back().rows.push_back(
+        {{{"fig_05_what_moves_rat", "What does move Rat at failure", read_text(others)}}});
   return all;
 }
 

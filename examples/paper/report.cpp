@@ -7,7 +7,6 @@
 #include <riprap/output/file.hpp>
 
 #include "claim_section.hpp"
-#include "compact_svg.hpp"
 #include "figures.hpp"
 #include "requirements.hpp"
 #include "result_tables.hpp"
@@ -149,9 +148,8 @@ void add_rockfill(Document& document, const Results& results) {
       "narrow grading are no substitute for tests; what can be compared is how strength falls with "
       "stress.");
   for (std::size_t i = 0; i < found.charts.size(); ++i)
-    document.push_back(
-        Pictures{{{"rockfill_" + std::to_string(i + 1), "",
-                   compact_svg(riprap::chart_sheet({found.charts[i]}).document())}}});
+    document.push_back(Pictures{{{"rockfill_" + std::to_string(i + 1), "",
+                                  riprap::chart_sheet({found.charts[i]}).document()}}});
   for (const rockfill::Table& table : found.tables) {
     add(document, "**" + table.title + "**");
     document.push_back(Table{table.head, table.rows});
