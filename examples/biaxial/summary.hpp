@@ -9,8 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include <riprap/measurement/breakage_indices.hpp>
-
+#include "grading_json.hpp"
 #include "options.hpp"
 
 // Keeps the order in which things are written.
@@ -187,33 +186,14 @@ Json numbers_json(const Options& o, const Sim& sim, const riprap::BiaxialResult&
   return j;
 }
 
-// Sieves for Marsal's index: each opening is the one before over the square root of two.
-inline std::vector<double> sieves_below(double largest) {
-  std::vector<double> sieves;
-  for (int k = 16; k > 0; --k) sieves.push_back(largest * std::pow(2, -0.5 * k));
-  return sieves;
-}
-
-// An index that has no meaning for this grading (all of it below Hardin's limit, say) is null.
-template <class Index>
-Json index_json(Index index) {
-  try {
-    return index();
-  } catch (const riprap::InvalidInput&) {
-    return nullptr;
-  }
-}
-
 inline Json grading_json(const riprap::Particles& particles) {
   using namespace riprap;
   const Grading before = grading_before_breakage(particles);
   const Grading after = grading(particles);
-  return {{"d10_m", {before.size_at(0.10), after.size_at(0.10)}},
-          {"d50_m", {before.size_at(0.50), after.size_at(0.50)}},
-          {"hardin_b_r", index_json([&] { return hardin_breakage(before, after); })},
-          {"marsal_b_g", marsal_breakage(before, after, sieves_below(before.largest()))},
-          {"lade_b_10", lade_breakage(before, after)},
-          {"einav_b_r", index_json([&] { return einav_breakage(before, after); })}};
+  Json j = {{"d10_m", {before.size_at(0.10), after.size_at(0.10)}},
+            {"d50_m", {before.size_at(0.50), after.size_at(0.50)}}};
+  j.update(indices_json(before, after));
+  return j;
 }
 
 template <class Sim>

@@ -38,10 +38,12 @@ void check(const Case& c) {
 }
 
 // Contacts know their normal; of a bare force it is the share across the edge it acts on.
-BoundaryLoad boundary_load(const Mesh& mesh, const Vec2& at, const Vec2& force) {
-  const BoundaryPoint point = mesh.nearest_boundary_point(at);
+BoundaryLoad boundary_load(const Mesh& mesh, const Body& body, const PointForce& given) {
+  const Vec2 force = body.rotation.inverse_times(given.force);
+  const BoundaryPoint point =
+      mesh.nearest_boundary_point(body.rotation.inverse_times(given.at - body.position));
   const Vec2 inward = perpendicular(mesh.nodes[point.next] - mesh.nodes[point.node]).normalized();
-  return {point, force, std::max(0.0, inward.dot(force))};
+  return {point, force, given.normal.value_or(std::max(0.0, inward.dot(force)))};
 }
 
 template <Support S>
@@ -62,12 +64,12 @@ std::string with_digits(const char* format, double value) {
 }
 
 // Which rule of the splitter the pieces break.
-std::string why_refused(const Analysis& a, double whole_area) {
+std::string why_refused(const Analysis& a, double mean_area) {
   if (!a.line()) return "No line: the failed elements determine none.";
   if (!a.pieces) return "Cut refused: the line leaves one side empty.";
   const StraightCut& rule = a.given.splitter;
   for (const auto& [name, piece] : {std::pair{"A", &a.pieces->left}, {"B", &a.pieces->right}}) {
-    const double share = area_properties(*piece).area / whole_area;
+    const double share = area_properties(*piece).area / mean_area;
     if (share < rule.minimum_area)
       return std::string("Cut refused: piece ") + name +
              with_digits(" has %.1f %% of the", 100 * share) +
@@ -88,7 +90,8 @@ void find_lines_and_pieces(Analysis& a) {
     a.refusal = "No element has failed.";
     return;
   }
-  a.planes = failure_planes(c.criterion, a.stress[a.tally.first_failed], a.first_failed().mode);
+  a.planes = failure_planes(c.criterion, a.stress[a.tally.first_failed].rotated(a.body.rotation),
+                            a.first_failed().mode);
   const auto points = failed_points(c.criterion, a.mesh, a.stress, a.body);
   a.by_x = WeightedX{}(points, a.planes);
   a.by_y = WeightedY{}(points, a.planes);
@@ -101,16 +104,16 @@ void find_lines_and_pieces(Analysis& a) {
     return;
   }
   const Breaking model{.criterion = c.criterion, .splitter = c.splitter};
-  // A particle alone is its own mean.
-  a.crack = find_crack(model, a.tally, a.mesh, a.stress, a.body, ring, area);
+  const double mean_area = c.mean_area.value_or(area);
+  a.crack = find_crack(model, a.tally, a.mesh, a.stress, a.body, ring, mean_area);
   if (a.crack) {
     a.pieces = a.crack->pieces;
     return;
   }
   const StraightCut any{.minimum_area = 0,
                         .maximum_aspect = std::numeric_limits<double>::infinity()};
-  if (chosen) a.pieces = any(ring, *chosen, area);
-  a.refusal = why_refused(a, area);
+  if (chosen) a.pieces = any(ring, *chosen, mean_area);
+  a.refusal = why_refused(a, mean_area);
 }
 
 }  // namespace
@@ -129,10 +132,11 @@ Analysis analyse(Case given) {
   Analysis a{.given = std::move(given)};
   const Case& c = a.given;
   a.body.position = area_properties(c.polygon.ring()).centroid;
-  const ConvexPolygon local = c.polygon.moved(Rotation{}, -a.body.position);
+  a.body.rotation = c.rotation;
+  const Rotation back{c.rotation.cosine, -c.rotation.sine};
+  const ConvexPolygon local = c.polygon.moved(Rotation{}, -a.body.position).moved(back, {0, 0});
   a.mesh = c.mesher(local.ring());
-  for (const PointForce& f : c.forces)
-    a.loads.push_back(boundary_load(a.mesh, f.at - a.body.position, f.force));
+  for (const PointForce& f : c.forces) a.loads.push_back(boundary_load(a.mesh, a.body, f));
   if (c.pinned)
     solve(a, TwoPinnedContacts{});
   else

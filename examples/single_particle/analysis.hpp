@@ -20,6 +20,7 @@
 struct PointForce {
   riprap::Vec2 at{0, 0};
   riprap::Vec2 force{0, 0};
+  std::optional<double> normal{};  // its normal part [N]; of a bare force the share across the edge
 };
 
 struct Case {
@@ -32,12 +33,16 @@ struct Case {
   riprap::Rock rock{};
   double thickness = 0.016;
   bool pinned = false;
+  // Of a particle out of an assembly: from the frame that its mesh was made in to the laboratory's,
+  // and the mean area of the intact particles [m^2]. One that is alone is its own mean.
+  riprap::Rotation rotation{};
+  std::optional<double> mean_area{};
 };
 
 struct Analysis {
   Case given;
   riprap::Body body{};                          // its position is the centroid of the polygon
-  riprap::Mesh mesh{};                          // about the centroid
+  riprap::Mesh mesh{};                          // in the body's own frame, as loads and stress are
   std::vector<riprap::BoundaryLoad> loads{};    // as given, on the boundary
   std::vector<riprap::BoundaryLoad> settled{};  // as they stress it: pinned ones are reactions
   riprap::ElementStress stress{};
@@ -53,7 +58,10 @@ struct Analysis {
   std::string refusal{};                     // why it does not break
 
   [[nodiscard]] riprap::Vec2 at(const riprap::BoundaryLoad& load) const {
-    return body.position + mesh.position(load.at);
+    return in_laboratory(mesh.position(load.at));
+  }
+  [[nodiscard]] riprap::Vec2 in_laboratory(const riprap::Vec2& place) const {
+    return body.position + body.rotation * place;
   }
   [[nodiscard]] bool is_pin(std::size_t i) const {
     return given.pinned && loads[i].force != settled[i].force;

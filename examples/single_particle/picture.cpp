@@ -79,7 +79,7 @@ class Panel {
   }
   [[nodiscard]] std::vector<Vec2> element(const Analysis& a, std::size_t e) const {
     std::vector<Vec2> out;
-    for (const Vec2& v : a.mesh.triangle(e)) out.push_back((*this)(a.body.position + v));
+    for (const Vec2& v : a.mesh.triangle(e)) out.push_back((*this)(a.in_laboratory(v)));
     return out;
   }
 
@@ -131,9 +131,10 @@ void draw_force(const Panel& panel, const Analysis& a, const BoundaryLoad& load,
                 const Arrow& arrow) {
   const double size = load.force.norm();
   if (!(size > 0)) return;
-  const Vec2 edge = a.mesh.nodes[load.at.next] - a.mesh.nodes[load.at.node];
+  const Vec2 edge = a.body.rotation * Vec2(a.mesh.nodes[load.at.next] - a.mesh.nodes[load.at.node]);
+  const Vec2 force = a.body.rotation * load.force;
   const Vec2 away = Vec2{edge.y(), edge.x()}.normalized();  // off the edge, y downwards
-  const Vec2 along{load.force.x() / size, -load.force.y() / size};
+  const Vec2 along{force.x() / size, -force.y() / size};
   const bool pushes = along.dot(away) <= 0;
   const Vec2 outward = pushes ? Vec2(-along) : along;
   const Vec2 near = panel(a.at(load)) + arrow.gap * outward;
@@ -263,7 +264,7 @@ void draw_failure(Svg& svg, const Analysis& a) {
   const std::size_t first = a.tally.first_failed;
   svg.polygon(panel.element(a, first),
               "fill=\"none\" stroke-linejoin=\"round\" " + stroke("#000", 2.5));
-  const Vec2 centre = panel(a.body.position + a.mesh.centroid(first));
+  const Vec2 centre = panel(a.in_laboratory(a.mesh.centroid(first)));
   for (const Vec2& plane : a.planes.span()) {
     const Vec2 reach{46 * plane.x(), -46 * plane.y()};
     svg.line(centre - reach, centre + reach, stroke(plane_colour, 2.5));

@@ -86,3 +86,18 @@ TEST_CASE("without free particles or without contacts the coordination is zero")
   particles.add(small_square, Motion::free);
   CHECK(coordination(FakeContacts{}, particles).coordination_number == 0);
 }
+
+TEST_CASE("every body has its contacts counted, and their mean is the coordination number") {
+  const Packing packing(5, true);
+  for (const unsigned count : contact_counts(packing.contacts, packing.particles))
+    CHECK(count == 6);
+  Packing broken(4, false);
+  broken.contacts.list.resize(3);  // 0-1, 0-4, 1-2
+  const auto counts = contact_counts(broken.contacts, broken.particles);
+  REQUIRE(counts.size() == 16);
+  CHECK(counts[0] == 2);
+  CHECK(counts[1] == 2);
+  CHECK(counts[2] == 1);
+  CHECK(counts[4] == 1);
+  CHECK(counts[3] == 0);
+}

@@ -122,8 +122,8 @@ TEST_CASE("the scale bar is as long as its label says: 1, 2 or 5 times a power o
     CAPTURE(size);
     const AssemblyView view(triad(size, size));
     const ScaleBar bar = scale_bar(annotated(view));
-    // Both ends are rounded to a hundredth of a pixel.
-    CHECK(bar.pixels == near(bar.metres * view.scale(), 0.0101));
+    // Both ends are rounded to a tenth of a pixel.
+    CHECK(bar.pixels == near(bar.metres * view.scale(), 0.101));
     const double leading = bar.metres / std::pow(10, std::floor(std::log10(bar.metres) + 1e-9));
     CHECK((leading == near(1, 1e-9) || leading == near(2, 1e-9) || leading == near(5, 1e-9)));
     // Half the legend is 95 pixels; the next longer bar, at most 2.5 times this one, would not fit.
@@ -170,8 +170,8 @@ TEST_CASE("outlines show every particle, driven ones in another tone than free o
   CHECK(shapes[0].attribute("fill") != shapes[1].attribute("fill"));
   for (BodyIndex i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 4; ++k)
-      // Rounded to a hundredth of a pixel.
-      CHECK((shapes[i].points()[k] - view(particles.ring(i)[k])).cwiseAbs().maxCoeff() <= 0.0051);
+      // Rounded to a tenth of a pixel.
+      CHECK((shapes[i].points()[k] - view(particles.ring(i)[k])).cwiseAbs().maxCoeff() <= 0.051);
 }
 
 TEST_CASE("title, axes, scale bar and its label stay on the sheet for assemblies of any size") {

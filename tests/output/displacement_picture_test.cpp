@@ -46,8 +46,8 @@ struct Story {
 };
 
 void check_at(const Vec2& drawn, const Vec2& expected) {
-  // Rounded to a hundredth of a pixel.
-  CHECK((drawn - expected).cwiseAbs().maxCoeff() <= 0.0051);
+  // Rounded to a tenth of a pixel.
+  CHECK((drawn - expected).cwiseAbs().maxCoeff() <= 0.051);
 }
 
 }  // namespace
@@ -66,8 +66,8 @@ TEST_CASE("paths are drawn point by point to the scale of the particles") {
   }
   const auto bent = lines[1].points();
   REQUIRE(bent.size() == 3);
-  CHECK((bent[1] - bent[0]).x() == near(-0.004 * view.scale(), 0.0101));
-  CHECK((bent[2] - bent[1]).y() == near(-0.003 * view.scale(), 0.0101));
+  CHECK((bent[1] - bent[0]).x() == near(-0.004 * view.scale(), 0.101));
+  CHECK((bent[2] - bent[1]).y() == near(-0.003 * view.scale(), 0.101));
 }
 
 TEST_CASE("pieces have a colour of their own and a dotted branch from where their parent broke") {
@@ -103,11 +103,13 @@ TEST_CASE("a dot in the colour of its path marks every particle that is there no
     if (e.number("cx") < view.legend_left()) dots.push_back(e);
   const Particles& particles = story.sample.particles();
   REQUIRE(dots.size() == particles.size());
-  for (BodyIndex i = 0; i < particles.size(); ++i) {
-    check_at(dots[i].at("cx", "cy"), view(particles.body(i).position));
-    const SvgElement& line = lines.at(particles.ancestry(i).id);
-    CHECK(dots[i].attribute("fill") == line.attribute("stroke"));
-    CHECK(dots[i].at("cx", "cy") == line.points().back());
+  // The intact particle, then the pieces.
+  const std::vector<BodyIndex> order{1, 0, 2};
+  for (std::size_t k = 0; k < 3; ++k) {
+    check_at(dots[k].at("cx", "cy"), view(particles.body(order[k]).position));
+    const SvgElement& line = lines.at(particles.ancestry(order[k]).id);
+    CHECK(dots[k].attribute("fill") == line.attribute("stroke"));
+    CHECK(dots[k].at("cx", "cy") == line.points().back());
   }
 }
 

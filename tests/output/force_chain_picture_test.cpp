@@ -53,8 +53,8 @@ double lightness(const SvgElement& line) {
 }
 
 void check_at(const Vec2& drawn, const Vec2& expected) {
-  // Rounded to a hundredth of a pixel.
-  CHECK((drawn - expected).cwiseAbs().maxCoeff() <= 0.0051);
+  // Rounded to a tenth of a pixel.
+  CHECK((drawn - expected).cwiseAbs().maxCoeff() <= 0.051);
 }
 
 }  // namespace

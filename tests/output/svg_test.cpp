@@ -55,8 +55,8 @@ TEST_CASE("a picture is well-formed XML with its size and its shapes in order") 
   for (const auto& [name, child] : root)
     if (name != "<xmlattr>") names.push_back(name);
   // The white background comes first.
-  CHECK(names == std::vector<std::string>{"rect", "polygon", "polyline", "line", "circle", "rect",
-                                          "text", "text"});
+  CHECK(names ==
+        std::vector<std::string>{"rect", "path", "path", "path", "g", "rect", "text", "text"});
   // A second, stricter reader: it knows no forgiveness for bare ampersands and wrong closings.
   CHECK(test::svg_elements(document).size() == 9);
 }
@@ -86,6 +86,62 @@ TEST_CASE("shapes keep their coordinates, sizes and styles") {
   CHECK(all.at(5).number("r") == 7.5);
   CHECK(all.at(6).at("x", "y") == Vec2{1, 2});
   CHECK(all.at(6).at("width", "height") == Vec2{3, 4});
+}
+
+TEST_CASE("shapes of one style that follow each other are one element") {
+  const std::vector<Vec2> corners{{1, 2}, {30.25, -4}, {5.004, 60.006}};
+  Svg svg(100, 100);
+  svg.polygon(corners, "fill=\"red\"");
+  svg.polygon(corners, "fill=\"red\"");
+  svg.line({0.5, -0.25}, {30.05, 40}, "stroke=\"#222\"");
+  svg.circle({1, 2}, 0.3, "fill=\"blue\"");
+  svg.circle({1.5, -0.004}, 3, "fill=\"blue\"");
+  svg.polygon(corners, "fill=\"red\"");
+  // By hand, from the grammar of paths (SVG 1.1, 8.3): M and L are absolute, l is relative, z
+  // closes.
+  const std::string path = "<path fill=\"red\" d=\"M1 2l29.25-6-25.25 64.01z";
+  const std::string document = svg.document();
+  CHECK(document.find(path +
+                      "M1 2l29.25-6-25.25 64.01z\"/>\n"
+                      "<path stroke=\"#222\" d=\"M.5-.25L30.05 40\"/>\n"
+                      "<g fill=\"blue\"><circle cx=\"1\" cy=\"2\" r=\"0.30\"/>"
+                      "<circle cx=\"1.5\" cy=\"0\" r=\"3.00\"/></g>\n" +
+                      path + "\"/>\n</svg>") != std::string::npos);
+  CHECK(svg.document() == document);
+}
+
+TEST_CASE("shapes drawn in turns keep their order, and one without corners leaves nothing") {
+  Svg svg(100, 100);
+  const std::vector<Vec2> corners{{1, 2}, {3, 4}, {1, 4}};
+  svg.polygon(corners, "fill=\"red\"");
+  svg.polygon(corners, "fill=\"blue\"");
+  svg.polygon(std::vector<Vec2>{}, "fill=\"blue\"");
+  svg.text({1, 1}, "between");
+  svg.polygon(corners, "fill=\"blue\"");
+  const auto all = test::svg_elements(svg.document());
+  REQUIRE(all.size() == 6);
+  CHECK(all[2].attribute("fill") == "red");
+  CHECK(all[3].attribute("fill") == "blue");
+  CHECK(all[4].name == "text");
+  CHECK(all[5].points() == all[3].points());
+}
+
+TEST_CASE("roundings do not add up along a path") {
+  for (const int decimals : {0, 1, 2}) {
+    Random random(3);
+    std::vector<Vec2> points;
+    for (int i = 0; i < 1000; ++i)
+      points.push_back({random.uniform(-900, 900), random.uniform(-900, 900)});
+    Svg svg(900, 900, decimals);
+    svg.polyline(points, "fill=\"none\"");
+    const auto drawn = test::svg_elements(svg.document()).at(2).points();
+    REQUIRE(drawn.size() == points.size());
+    double worst = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      worst = std::max(worst, (drawn[i] - points[i]).cwiseAbs().maxCoeff());
+    // Half of the last decimal, and the round-off of reading it.
+    CHECK(worst <= 0.5 * std::pow(10, -decimals) + 1e-9);
+  }
 }
 
 TEST_CASE("text has an anchor, a size and, only if asked for, a turn about its anchor") {

@@ -93,6 +93,8 @@ class SvgReader {
     expect("<");
     SvgElement element{std::string(take_until(" />")), {}, {}};
     if (element.name.empty()) fail("no name");
+    if (!open_.empty() && elements_[open_.back()].name == "g")
+      element.attributes = elements_[open_.back()].attributes;
     while (rest_.starts_with(' ')) {
       rest_.remove_prefix(1);
       const std::string key(take_until("= />"));
@@ -143,8 +145,96 @@ class SvgReader {
   std::vector<std::size_t> open_;
 };
 
+/// Reads the data of a path of straight lines.
+class PathReader {
+ public:
+  /// Throws std::runtime_error at anything but "M x y L x y" and "M x y l x y x y ... z".
+  explicit PathReader(const SvgElement& path) : path_(path), rest_(path.attributes.at("d")) {}
+
+  /// The line (with an absolute end), polyline (open) or polygon (closed) that each part of the
+  /// path is, with the attributes that it would have alone.
+  [[nodiscard]] std::vector<SvgElement> read() {
+    std::vector<SvgElement> out;
+    while (!rest_.empty()) {
+      if (!take('M')) throw std::runtime_error("no start before: " + std::string(rest_));
+      std::vector<Vec2> points{pair()};
+      if (take('L')) {
+        out.push_back(line(points[0], pair()));
+        continue;
+      }
+      if (take('l'))
+        while (!rest_.empty() && rest_.front() != 'M' && rest_.front() != 'z')
+          points.push_back(points.back() + pair());
+      out.push_back(shape(points, take('z')));
+    }
+    return out;
+  }
+
+ private:
+  bool take(char letter) {
+    if (rest_.empty() || rest_.front() != letter) return false;
+    rest_.remove_prefix(1);
+    return true;
+  }
+  double number() {
+    take(' ');
+    const std::size_t end = rest_.find_first_of("- MLlz", rest_.starts_with('-') ? 1 : 0);
+    std::string text(rest_.substr(0, end));
+    rest_.remove_prefix(text.size());
+    // Zeros that need not be written.
+    const std::size_t first = text.starts_with('-') ? 1 : 0;
+    if (first < text.size() && text[first] == '.') text.insert(first, "0");
+    return SvgElement::parsed(text);
+  }
+  Vec2 pair() {
+    const double x = number();
+    return {x, number()};
+  }
+  // Decimals of sums come out as they were written.
+  [[nodiscard]] static std::string decimal(double value) {
+    char buffer[64];
+    const auto end =
+        std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, 2).ptr;
+    return {buffer, end};
+  }
+  [[nodiscard]] SvgElement element(const std::string& name) const {
+    SvgElement out{name, path_.attributes, {}};
+    out.attributes.erase("d");
+    return out;
+  }
+  [[nodiscard]] SvgElement line(const Vec2& from, const Vec2& to) const {
+    SvgElement out = element("line");
+    out.attributes["x1"] = decimal(from.x());
+    out.attributes["y1"] = decimal(from.y());
+    out.attributes["x2"] = decimal(to.x());
+    out.attributes["y2"] = decimal(to.y());
+    return out;
+  }
+  [[nodiscard]] SvgElement shape(const std::vector<Vec2>& points, bool closed) const {
+    SvgElement out = element(closed ? "polygon" : "polyline");
+    for (const Vec2& p : points)
+      out.attributes["points"] += decimal(p.x()) + "," + decimal(p.y()) + " ";
+    return out;
+  }
+
+  const SvgElement& path_;
+  std::string_view rest_;
+};
+
+/// All elements in order; paths as the polygons, polylines and lines they consist of, members of
+/// groups as if each had the group's attributes.
 [[nodiscard]] inline std::vector<SvgElement> svg_elements(const std::string& document) {
-  return SvgReader(document).read();
+  std::vector<SvgElement> out;
+  for (const SvgElement& e : SvgReader(document).read()) {
+    if (e.name == "g") continue;
+    if (e.name != "path") {
+      out.push_back(e);
+      continue;
+    }
+    const std::vector<SvgElement> parts = PathReader(e).read();
+    out.insert(out.end(), parts.begin(), parts.end());
+  }
+  return out;
 }
 
 [[nodiscard]] inline std::vector<SvgElement> named(const std::vector<SvgElement>& elements,

@@ -3,6 +3,7 @@
 /// How many neighbours a particle touches.
 
 #include <cstddef>
+#include <vector>
 
 #include <riprap/particle/particles.hpp>
 
@@ -14,6 +15,18 @@ struct Coordination {
   double contacts_per_particle = 0;  ///< M / N: gamma of eq. 8
   double coordination_number = 0;    ///< 2 M / N: the mean number of contacts of a free particle
 };
+
+/// Contacts of every body, in the order of the bodies.
+template <class Contacts>
+[[nodiscard]] std::vector<unsigned> contact_counts(const Contacts& contacts,
+                                                   const Particles& particles) {
+  std::vector<unsigned> counts(particles.size(), 0);
+  contacts.for_each_touching([&](const auto& c) {
+    ++counts[c.a];
+    ++counts[c.b];
+  });
+  return counts;
+}
 
 template <class Contacts>
 [[nodiscard]] Coordination coordination(const Contacts& contacts, const Particles& particles) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,15 +33,24 @@ namespace internal {
   const AssemblyView view(particles);
   Svg svg = view.canvas();
   const std::string outline = " stroke=\"#555\" stroke-width=\"0.5\" stroke-linejoin=\"round\"";
-  for (const bool boundary : {true, false})
-    for (BodyIndex i = 0; i < particles.size(); ++i) {
-      if (particles.body(i).is_free() == boundary) continue;
-      const Ancestry& ancestry = particles.ancestry(i);
-      const std::string colour = boundary                  ? "#8d949c"
-                                 : ancestry.generation > 0 ? internal::family_colour(ancestry.root)
-                                                           : "#efe9dc";
+  // What has one colour is drawn together: the boundary, intact particles, family by family.
+  std::map<ParticleId, std::vector<BodyIndex>> families;
+  std::array<std::vector<BodyIndex>, 2> others;
+  for (BodyIndex i = 0; i < particles.size(); ++i) {
+    const Ancestry& ancestry = particles.ancestry(i);
+    const bool is_free = particles.body(i).is_free();
+    if (is_free && ancestry.generation > 0)
+      families[ancestry.root].push_back(i);
+    else
+      others[is_free].push_back(i);
+  }
+  const auto draw = [&](const std::vector<BodyIndex>& bodies, const std::string& colour) {
+    for (const BodyIndex i : bodies)
       svg.polygon(view(particles.ring(i)), "fill=\"" + colour + "\"" + outline);
-    }
+  };
+  draw(others[0], "#8d949c");
+  draw(others[1], "#efe9dc");
+  for (const auto& [root, bodies] : families) draw(bodies, internal::family_colour(root));
 
   // Dots of Rat = 1 would be as wide as a mean particle's half.
   double mean_radius = 0;

@@ -46,7 +46,7 @@ class AssemblyView {
 
   [[nodiscard]] Svg canvas() const {
     return {2 * half_.x() + 2 * margin + legend,
-            std::max(2 * half_.y() + 2 * margin + header, least_height)};
+            std::max(2 * half_.y() + 2 * margin + header, least_height), decimals};
   }
   [[nodiscard]] double scale() const { return scale_; }  ///< pixels per metre
   [[nodiscard]] double legend_left() const { return 2 * half_.x() + 2 * margin; }
@@ -105,6 +105,7 @@ class AssemblyView {
 
  private:
   static constexpr double extent = 900;       // pixels of the larger side
+  static constexpr int decimals = 1;          // of a pixel
   static constexpr double platen_rim = 0.04;  // of the sample, in which platens are seen
   static constexpr double margin = 20;
   static constexpr double header = 30;

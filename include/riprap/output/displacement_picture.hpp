@@ -78,18 +78,21 @@ inline void displacement_legend(Svg& svg, const Vec2& corner, double largest) {
   const AssemblyView view(particles, points);
   Svg svg = view.canvas();
   view.outlines(svg, particles);
-  // Pieces over the paths of intact particles.
+  for (const auto& path : record.paths())
+    if (path.branch && !path.points.empty())
+      svg.line(view(*path.branch), view(path.points.front()), internal::branch_style);
+  // Pieces over the paths of intact particles, dots over all paths.
   for (const bool broken : {false, true})
-    for (const auto& path : record.paths()) {
-      if (path.points.empty() || (path.particle.generation > 0) != broken) continue;
-      if (path.branch)
-        svg.line(view(*path.branch), view(path.points.front()), internal::branch_style);
-      svg.polyline(view(path.points), internal::path_style(path.particle));
+    for (const auto& path : record.paths())
+      if (!path.points.empty() && (path.particle.generation > 0) == broken)
+        svg.polyline(view(path.points), internal::path_style(path.particle));
+  for (const bool broken : {false, true})
+    for (BodyIndex i = 0; i < particles.size(); ++i) {
+      const Ancestry& particle = particles.ancestry(i);
+      if (particles.body(i).motion != Motion::platen && (particle.generation > 0) == broken)
+        svg.circle(view(particles.body(i).position), internal::path_dot,
+                   internal::dot_style(particle));
     }
-  for (BodyIndex i = 0; i < particles.size(); ++i)
-    if (particles.body(i).motion != Motion::platen)
-      svg.circle(view(particles.body(i).position), internal::path_dot,
-                 internal::dot_style(particles.ancestry(i)));
   view.annotate(svg, title);
   internal::displacement_legend(svg, {view.legend_left() + 14, 70},
                                 internal::largest_displacement(record));

@@ -3,6 +3,8 @@
 /// A small writer of scalable vector graphics.
 
 #include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -11,10 +13,14 @@
 
 namespace riprap {
 
-/// Collects shapes in pixels (y downwards, as SVG has it) and writes them to a file.
+/// Collects shapes in pixels (y downwards, as SVG has it) and writes them to a file. Polygons and
+/// lines of one style that follow each other become one path, circles one group: pictures of many
+/// shapes stay small.
 class Svg {
  public:
-  Svg(double width, double height) : width_(width), height_(height) {}
+  /// @param decimals of the corners of polygons and lines, and of circles
+  Svg(double width, double height, int decimals = 2)
+      : width_(width), height_(height), decimals_(decimals) {}
 
   [[nodiscard]] double width() const { return width_; }
   [[nodiscard]] double height() const { return height_; }
@@ -30,21 +36,24 @@ class Svg {
   /// @param style SVG attributes such as `fill="none" stroke="#333"`
   template <class Points>
   void polygon(const Points& points, std::string_view style) {
-    shape("polygon", points, style);
+    if (shape(points, style)) run_ += 'z';
   }
   template <class Points>
   void polyline(const Points& points, std::string_view style) {
-    shape("polyline", points, style);
+    shape(points, style);
   }
   void line(const Vec2& from, const Vec2& to, std::string_view style) {
-    body_ += "<line x1=\"" + number(from.x()) + "\" y1=\"" + number(from.y()) + "\" x2=\"" +
-             number(to.x()) + "\" y2=\"" + number(to.y()) + "\" " + std::string(style) + "/>\n";
+    continue_run(Run::path, style);
+    run_ += "M" + pair_text(units(from.x()), units(from.y())) + "L" +
+            pair_text(units(to.x()), units(to.y()));
   }
   void circle(const Vec2& centre, double radius, std::string_view style) {
-    body_ += "<circle cx=\"" + number(centre.x()) + "\" cy=\"" + number(centre.y()) + "\" r=\"" +
-             number(radius) + "\" " + std::string(style) + "/>\n";
+    continue_run(Run::circles, style);
+    run_ += "<circle cx=\"" + short_text(units(centre.x())) + "\" cy=\"" +
+            short_text(units(centre.y())) + "\" r=\"" + number(radius) + "\"/>";
   }
   void rectangle(const Vec2& corner, const Vec2& size, std::string_view style) {
+    end_run();
     body_ += "<rect x=\"" + number(corner.x()) + "\" y=\"" + number(corner.y()) + "\" width=\"" +
              number(size.x()) + "\" height=\"" + number(size.y()) + "\" " + std::string(style) +
              "/>\n";
@@ -52,6 +61,7 @@ class Svg {
   /// Text with its anchor (`start`, `middle`, `end`) on the baseline at `at`.
   void text(const Vec2& at, std::string_view content, std::string_view anchor = "start",
             double size = 13, double turn = 0) {
+    end_run();
     body_ += "<text x=\"" + number(at.x()) + "\" y=\"" + number(at.y()) + "\" font-size=\"" +
              number(size) + "\" text-anchor=\"" + std::string(anchor) + "\"";
     if (turn != 0)
@@ -65,18 +75,80 @@ class Svg {
            number(height_) + "\" width=\"" + number(width_) + "\" height=\"" + number(height_) +
            "\" font-family=\"Helvetica, Arial, sans-serif\" fill=\"#222\">\n"
            "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" +
-           body_ + "</svg>\n";
+           body_ + run_text() + "</svg>\n";
   }
   /// Throws SimulationError if the file cannot be written.
   void save(const std::string& path) const { write_file(path, document()); }
 
  private:
-  template <class Points>
-  void shape(std::string_view element, const Points& points, std::string_view style) {
-    body_ += "<" + std::string(element) + " points=\"";
-    for (const Vec2& p : points) body_ += number(p.x()) + "," + number(p.y()) + " ";
-    body_ += "\" " + std::string(style) + "/>\n";
+  /// What the shapes added last have in common.
+  enum class Run { none, path, circles };
+
+  void continue_run(Run kind, std::string_view style) {
+    if (kind == run_kind_ && style == run_style_) return;
+    end_run();
+    run_kind_ = kind;
+    run_style_ = style;
   }
+  void end_run() {
+    body_ += run_text();
+    run_kind_ = Run::none;
+    run_.clear();
+  }
+  [[nodiscard]] std::string run_text() const {
+    switch (run_kind_) {
+    case Run::path:
+      return "<path " + run_style_ + " d=\"" + run_ + "\"/>\n";
+    case Run::circles:
+      return "<g " + run_style_ + ">" + run_ + "</g>\n";
+    case Run::none:
+      break;
+    }
+    return {};
+  }
+
+  // The first corner is absolute, the others are relative to the one before; rounded first, so that
+  // nothing adds up. False if there is none.
+  template <class Points>
+  bool shape(const Points& points, std::string_view style) {
+    continue_run(Run::path, style);
+    std::size_t corner = 0;
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+    for (const Vec2& p : points) {
+      const std::string step = pair_text(units(p.x()) - x, units(p.y()) - y);
+      if (corner < 2)
+        run_ += corner == 0 ? 'M' : 'l';
+      else if (step.front() != '-')
+        run_ += ' ';
+      run_ += step;
+      ++corner;
+      x = units(p.x());
+      y = units(p.y());
+    }
+    return corner > 0;
+  }
+
+  // A sign separates numbers as well as a space does.
+  [[nodiscard]] std::string pair_text(std::int64_t x, std::int64_t y) const {
+    return short_text(x) + (y < 0 ? "" : " ") + short_text(y);
+  }
+  // In units of the last decimal.
+  [[nodiscard]] std::int64_t units(double value) const {
+    return std::llround(value * std::pow(10, decimals_));
+  }
+  // Without zeros that say nothing: 12.5, .5, -3
+  [[nodiscard]] std::string short_text(std::int64_t units) const {
+    if (units == 0) return "0";
+    std::string digits = std::to_string(std::abs(units));
+    const auto decimals = static_cast<std::size_t>(decimals_);
+    if (digits.size() < decimals) digits.insert(0, decimals - digits.size(), '0');
+    std::string fraction = digits.substr(digits.size() - decimals);
+    fraction.erase(fraction.find_last_not_of('0') + 1);
+    digits.resize(digits.size() - decimals);
+    return (units < 0 ? "-" : "") + digits + (fraction.empty() ? "" : "." + fraction);
+  }
+
   [[nodiscard]] static std::string escaped(std::string_view content) {
     std::string out;
     for (const char c : content) {
@@ -92,7 +164,11 @@ class Svg {
 
   double width_;
   double height_;
+  int decimals_;
   std::string body_;
+  Run run_kind_ = Run::none;
+  std::string run_style_;
+  std::string run_;  // not yet in body_
 };
 
 }  // namespace riprap

@@ -1,0 +1,34 @@
+// paper: the paper's study: biaxial tests at six pressures with and without breakage, and a report
+
+#include <cstdio>
+#include <exception>
+
+#include <riprap/core/errors.hpp>
+
+#include "options.hpp"
+#include "report.hpp"
+#include "run_plan.hpp"
+#include "run_queue.hpp"
+
+int main(int argc, char** argv) {
+  const study::Options options = study::read_options(argc, argv);
+  try {
+    const auto outcome = study::make_runs(study::all_runs(options), options.out, options.jobs);
+    write_report(options.out);
+    std::printf("%zu runs made, %zu kept; open %s/report.html\n", outcome.finished, outcome.kept,
+                options.out.c_str());
+    if (options.quick)
+      std::printf(
+          "This was a quick look at small samples: its numbers are not those of the study.\n");
+    for (const std::string& name : outcome.failed)
+      std::fprintf(stderr, "failed: %s, see %s/runs/%s/error.txt\n", name.c_str(),
+                   options.out.c_str(), name.c_str());
+    return outcome.failed.empty() ? 0 : 1;
+  } catch (const riprap::InvalidInput& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,137 @@
+// Table 1 and what the paper leaves open: the library's defaults.
+
+#include "run_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <riprap/riprap.hpp>
+#include <riprap/version.hpp>
+
+namespace study {
+
+std::string to_text(Mode mode) {
+  switch (mode) {
+  case Mode::nb:
+    return "nb";
+  case Mode::wb:
+    return "wb";
+  case Mode::pinned:
+    return "pinned";
+  }
+  return "";
+}
+
+std::string pressure_text(double pressure) { return riprap::to_text(pressure / 1e6) + " MPa"; }
+
+std::string RunPlan::name() const {
+  return to_text(mode) + "_" + riprap::to_text(pressure / 1e6) + "MPa_" + std::to_string(seed);
+}
+
+riprap::RandomAssembly RunPlan::assembly() const { return {.count = particles, .seed = seed}; }
+
+riprap::BiaxialTest RunPlan::test() const {
+  return {.confining_pressure = pressure,
+          .axial_strain = axial_strain,
+          .inertial_number = pressure < 1e6 ? 5e-4 : 1e-3};
+}
+
+namespace {
+
+Json assembly_json(const riprap::RandomAssembly& a) {
+  return {{"particles", a.count},
+          {"seed", a.seed},
+          {"mean_diameter_m", a.mean_diameter},
+          {"thickness_m", a.thickness},
+          {"diameters", {a.smallest_diameter, a.largest_diameter}},
+          {"vertices", {a.shape.fewest_vertices, a.shape.most_vertices}},
+          {"axis_ratios", {a.shape.smallest_axis_ratio, a.shape.largest_axis_ratio}},
+          {"angle_jitter", a.shape.angle_jitter},
+          {"solid_fraction", a.solid_fraction},
+          {"dense_fraction", a.dense_fraction},
+          {"boundary_spacing", a.boundary_spacing}};
+}
+
+Json test_json(const riprap::BiaxialTest& t) {
+  return {{"confining_pressure_Pa", t.confining_pressure},
+          {"axial_strain", t.axial_strain},
+          {"inertial_number", t.inertial_number},
+          {"record_every", t.record_every},
+          {"jam_pressure_Pa", t.jam_pressure},
+          {"jam_kinetic_ratio", t.jam_kinetic_ratio},
+          {"compaction_inertial_number", t.compaction_inertial_number},
+          {"rest_unbalanced_force", t.rest_unbalanced_force},
+          {"hydrostatic_tolerance", t.hydrostatic_tolerance},
+          {"hydrostatic_unbalanced_force", t.hydrostatic_unbalanced_force},
+          {"most_steps", t.most_steps}};
+}
+
+Json motion_json(const riprap::Model<>& model) {
+  const auto& law = model.contact_model.law;
+  return {{"normal_stiffness_N_m", law.normal_stiffness},
+          {"tangential_stiffness_N_m", law.tangential_stiffness},
+          {"friction", law.friction},
+          {"local_damping", model.motion_model.damping.coefficient},
+          {"time_step_fraction", model.motion_model.time_step.fraction}};
+}
+
+Json breakage_json(const riprap::Model<>& model) {
+  const auto& breakage = model.breakage_model;
+  const riprap::HoekBrown& c = breakage.criterion;
+  return {{"compressive_strength_Pa", c.compressive_strength},
+          {"m_b", c.m_b},
+          {"s", c.s},
+          {"a_b", c.a_b},
+          {"mesh_triangles", model.stress_model.mesher.triangles},
+          {"ratf", breakage.trigger.critical},
+          {"minimum_piece_area", breakage.splitter.minimum_area},
+          {"maximum_piece_aspect", breakage.splitter.maximum_aspect},
+          {"check_every", breakage.check_every}};
+}
+
+}  // namespace
+
+Json RunPlan::parameters() const {
+  constexpr int layout_of_record = 1;  // of run.json and its pictures: another one, another run
+  const riprap::Model<> model;
+  const riprap::Rock rock;
+  Json j = {
+      {"riprap", riprap::version},
+      {"record", layout_of_record},
+      {"mode", to_text(mode)},
+      {"assembly", assembly_json(assembly())},
+      {"test", test_json(test())},
+      {"rock",
+       {{"density_kg_m3", rock.density}, {"young_Pa", rock.young}, {"poisson", rock.poisson}}},
+      {"motion", motion_json(model)}};
+  if (mode != Mode::nb) j["breakage"] = breakage_json(model);
+  return j;
+}
+
+// Steps are what takes the time: those of shear are inversely proportional to its rate.
+double RunPlan::work_before() const { return particles; }
+
+double RunPlan::work_in_shear() const {
+  const double steps =
+      axial_strain / 0.2 * 1e-3 / test().inertial_number * std::sqrt(14e6 / pressure);
+  // Of those without stress analysis. The more particles are near to breaking the fewer checks are
+  // skipped; where contacts are pinned none is.
+  const double cost_of_step = mode == Mode::nb ? 1 : mode == Mode::wb ? 1.3 + pressure / 3e6 : 20;
+  return particles * steps * cost_of_step;
+}
+
+std::vector<RunPlan> all_runs(const Options& options) {
+  const std::vector<double> pressures = options.quick
+                                            ? std::vector<double>{0.5e6, 2e6, 14e6}
+                                            : std::vector<double>{0.5e6, 1e6, 2e6, 4e6, 8e6, 14e6};
+  std::vector<RunPlan> runs;
+  for (unsigned seed = 1; seed <= options.samples; ++seed)
+    for (const double pressure : pressures)
+      for (const Mode mode : {Mode::nb, Mode::wb, Mode::pinned})
+        runs.push_back({mode, pressure, seed, options.quick ? 150U : 500U});
+  std::stable_sort(runs.begin(), runs.end(),
+                   [](const RunPlan& a, const RunPlan& b) { return a.work() > b.work(); });
+  return runs;
+}
+
+}  // namespace study

@@ -1,0 +1,183 @@
+// Which runs are left, threads that make them, and a line that says how far they are.
+
+#include "run_queue.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include <unistd.h>
+
+#include "study_run.hpp"
+
+namespace study {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Task {
+  RunPlan plan;
+  fs::path folder;
+  WorkDone done{0};
+  Task(const RunPlan& p, fs::path f) : plan(p), folder(std::move(f)) {}
+};
+
+enum class Found { nothing, finished, other };
+
+// Is there a run in the folder, and is it this one?
+Found find_run(const RunPlan& plan, const fs::path& folder) {
+  std::ifstream file(folder / "run.json");
+  if (!file) return Found::nothing;
+  const Json found = Json::parse(file, nullptr, false);
+  if (found.is_discarded() || !found.contains("parameters")) return Found::other;
+  return found["parameters"] == plan.parameters() ? Found::finished : Found::other;
+}
+
+void make_run(const RunPlan& plan, const fs::path& folder, WorkDone& done) {
+  // Nothing of an earlier run is to be taken for a part of this one.
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  switch (plan.mode) {
+  case Mode::nb:
+    return run_nb(plan, folder, done);
+  case Mode::wb:
+    return run_wb(plan, folder, done);
+  case Mode::pinned:
+    return run_pinned(plan, folder, done);
+  }
+}
+
+std::string duration_text(double seconds) {
+  char text[64];
+  if (seconds < 100)
+    std::snprintf(text, sizeof text, "%.0f s", seconds);
+  else
+    std::snprintf(text, sizeof text, "%.0f min", seconds / 60);
+  return text;
+}
+
+// The runs that are left and the threads' way through them.
+class Queue {
+ public:
+  explicit Queue(std::vector<std::unique_ptr<Task>> tasks) : tasks_(std::move(tasks)) {
+    for (const auto& task : tasks_) work_ += task->plan.work();
+  }
+
+  void run(unsigned jobs) {
+    begun_ = Clock::now();
+    std::vector<std::jthread> threads;
+    for (unsigned k = 0; k < std::min<std::size_t>(jobs, tasks_.size()); ++k)
+      threads.emplace_back([this] { work(); });
+    std::unique_lock lock(mutex_);
+    while (ended_ < tasks_.size()) {
+      changed_.wait_for(lock, std::chrono::milliseconds(in_place_ ? 500 : 20000));
+      print();
+    }
+    if (in_place_) std::fputc('\n', stderr);
+  }
+
+  [[nodiscard]] const std::vector<std::string>& failed() const { return failed_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void work() {
+    while (true) {
+      const std::size_t k = next_++;
+      if (k >= tasks_.size()) return;
+      Task& task = *tasks_[k];
+      std::string error;
+      try {
+        make_run(task.plan, task.folder, task.done);
+      } catch (const std::exception& e) {
+        error = e.what();
+      }
+      const std::scoped_lock lock(mutex_);
+      task.done = task.plan.work();
+      ++ended_;
+      if (!error.empty()) note_failure(task, error);
+      changed_.notify_one();
+    }
+  }
+
+  void note_failure(const Task& task, const std::string& error) {
+    failed_.push_back(task.plan.name());
+    std::ofstream(task.folder / "error.txt") << error << "\n";
+    std::fprintf(stderr, "%s%s failed: %s\n", in_place_ ? "\n" : "", task.plan.name().c_str(),
+                 error.c_str());
+  }
+
+  void print() const {
+    double done = 0;
+    std::string running;
+    for (const auto& task : tasks_) {
+      const double share = task->done / task->plan.work();
+      done += task->done;
+      if (share > 0 && share < 1)
+        running +=
+            "  " + task->plan.name() + " " + std::to_string(static_cast<int>(100 * share)) + " %";
+    }
+    const double share = done / work_;
+    const double elapsed = std::chrono::duration<double>(Clock::now() - begun_).count();
+    std::string line = std::to_string(ended_) + " of " + std::to_string(tasks_.size()) + " runs, " +
+                       std::to_string(static_cast<int>(100 * share)) + " %, " +
+                       duration_text(elapsed);
+    // An estimate from the first per cent is worth nothing.
+    if (share > 0.01 && share < 1)
+      line += ", about " + duration_text(elapsed * (1 - share) / share) + " left";
+    line += running;
+    if (in_place_)
+      std::fprintf(stderr, "\r%-110.110s", line.c_str());
+    else
+      std::fprintf(stderr, "%s\n", line.c_str());
+    std::fflush(stderr);
+  }
+
+  std::vector<std::unique_ptr<Task>> tasks_;
+  double work_ = 0;
+  std::atomic<std::size_t> next_{0};
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::size_t ended_ = 0;
+  std::vector<std::string> failed_;
+  bool in_place_ = isatty(fileno(stderr)) != 0;
+  Clock::time_point begun_;
+};
+
+}  // namespace
+
+StudyOutcome make_runs(const std::vector<RunPlan>& plans, const fs::path& folder, unsigned jobs) {
+  StudyOutcome outcome;
+  std::vector<std::unique_ptr<Task>> tasks;
+  for (const RunPlan& plan : plans) {
+    const fs::path place = folder / "runs" / plan.name();
+    const Found found = find_run(plan, place);
+    if (found == Found::finished) {
+      ++outcome.kept;
+      continue;
+    }
+    if (found == Found::other)
+      std::fprintf(stderr, "%s was made with other parameters: it is made again\n",
+                   place.string().c_str());
+    tasks.push_back(std::make_unique<Task>(plan, place));
+  }
+  if (outcome.kept > 0)
+    std::fprintf(stderr, "%zu of %zu runs are there already\n", outcome.kept, plans.size());
+  if (tasks.empty()) return outcome;
+  const std::size_t left = tasks.size();
+  Queue queue(std::move(tasks));
+  queue.run(jobs);
+  outcome.failed = queue.failed();
+  outcome.finished = left - outcome.failed.size();
+  return outcome;
+}
+
+}  // namespace study
