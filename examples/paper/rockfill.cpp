@@ -98,9 +98,9 @@ std::vector<std::string> notes(const Rock& rock) {
       "2 % of axial strain.",
       "Leps (1970): straight lines of phi over log10 sigma_n, here at second hand through a table "
       "that practice uses, right to about 1 degree. His tests end at 500 psi, 3.4 MPa: a star or a "
-      "dashed line beyond is extrapolation. They are triaxial tests; a plane strain test of the "
+      "dashed line of Leps is extrapolation. They are triaxial tests; a plane strain test of the "
       "same rock gives a larger angle, commonly by some degrees.",
-      "Barton and Kjaernsli (1981): phi = R log10(S/sigma_n) + phi_b with phi_b = " +
+      "Barton and Kjaernsli (1981), B-K with R and S: phi = R log10(S/sigma_n) + phi_b, phi_b = " +
           fixed(rock.basic_friction_angle * 180 / std::numbers::pi, 1) +
           " degrees, the friction of the contacts here. R from 5 to 10 degrees and S from 0.2 to "
           "0.5 of the rock's compressive strength are our choice of two ends of what their charts "
@@ -118,7 +118,7 @@ Findings findings(const std::vector<nlohmann::ordered_json>& runs, const Rock& r
   riprap::Chart crushed = pressure_chart("Breakage", "Marsal's B_g [%]");
   add_against_pressure(crushed, groups, "", false, breakage);
   riprap::Chart pores = pressure_chart("Porosity", "porosity [-]");
-  add_against_pressure(pores, groups, ", before shear", true, porosity_before);
+  add_against_pressure(pores, groups, ", before", true, porosity_before);
   add_against_pressure(pores, groups, ", after", false, porosity_after);
   riprap::Chart stiff = pressure_chart("Secant modulus", "E_50 [MPa]");
   add_against_pressure(stiff, groups, "", false, stiffness);

@@ -98,7 +98,7 @@ std::vector<Envelopes> envelopes(const std::vector<Group>& groups) {
 std::vector<RoughnessBound> roughness_bounds(const Rock& rock) {
   const auto bound = [&rock](double roughness, double share) -> RoughnessBound {
     const double strength = share * rock.compressive_strength;
-    return {"B-K R " + fixed(roughness, 0) + ", S " + fixed(1e-6 * strength, 0) + " MPa",
+    return {"B-K " + fixed(roughness, 0) + ", " + fixed(1e-6 * strength, 0) + " MPa",
             {roughness, strength, rock.basic_friction_angle}};
   };
   return {bound(5, 0.2), bound(10, 0.5)};

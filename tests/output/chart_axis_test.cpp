@@ -36,6 +36,13 @@ TEST_CASE("a linear axis ends on the ticks next to the data") {
   for (const AxisTick& tick : axis.ticks()) CHECK(axis.is_zero(tick) == (tick.label == "0.0"));
 }
 
+TEST_CASE("round-off does not make the ticks of a linear axis coarser") {
+  const Labels twenties{"0", "20", "40", "60", "80", "100"};
+  CHECK(labels(ChartAxis::linear(0, 100)) == twenties);
+  CHECK(labels(ChartAxis::linear(0, 100 + 1e-13)) == twenties);
+  CHECK(labels(ChartAxis::linear(0, 104)) == Labels{"0", "50", "100", "150"});
+}
+
 TEST_CASE("a logarithmic axis ends on 1, 2 or 5 times a power of ten next to the data") {
   CHECK(labels(ChartAxis::logarithmic(0.5, 14)) == Labels{"0.5", "1", "2", "5", "10", "20"});
   CHECK(labels(ChartAxis::logarithmic(1, 10)) == Labels{"1", "2", "5", "10"});

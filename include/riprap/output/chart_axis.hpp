@@ -32,10 +32,10 @@ class ChartAxis {
     }
     const double raw = (high - low) / 5;
     const double decade = std::pow(10, std::floor(std::log10(raw)));
+    // Round-off does not ask for coarser ticks, nor a hair beyond a tick for another one.
     double tick = 10 * decade;
     for (const double step : {5.0, 2.0, 1.0})
-      if (step * decade >= raw) tick = step * decade;
-    // A hair beyond a tick does not ask for another one.
+      if (step * decade >= raw * (1 - 1e-9)) tick = step * decade;
     ChartAxis axis;
     axis.low_ = tick * std::floor(low / tick + 0.02);
     axis.high_ = tick * std::ceil(high / tick - 0.02);
