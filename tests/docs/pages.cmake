@@ -34,6 +34,7 @@ foreach(role IN LISTS roles)
 endforeach()
 compare(docs/laws.md docs/examples/laws.cpp)
 compare(docs/reading.md docs/examples/reading.cpp)
+compare(docs/unconfined.md docs/examples/unconfined.cpp)
 compare(README.md examples/compose/compose.cpp)
 
 if(violations OR NOT roles)

@@ -1,0 +1,187 @@
+#pragma once
+/// @file
+/// Element stresses of a body whose displacements are prescribed at some nodes. Not part of
+/// riprap.hpp: sparse solvers take long to compile, and no step of a simulation asks for this.
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <riprap/core/errors.hpp>
+#include <riprap/material/rock.hpp>
+#include <riprap/stress/element/concepts.hpp>
+#include <riprap/stress/element_stress.hpp>
+#include <riprap/stress/mesh/mesh.hpp>
+#include <riprap/stress/plane_state/concepts.hpp>
+
+namespace riprap {
+
+/// One component of the displacement of one node.
+struct NodeComponent {
+  std::uint32_t node = 0;
+  std::uint32_t axis = 0;  ///< 0 or 1, for axis 1 or 2
+};
+
+/// What the prescribed displacements lead to.
+struct Deformation {
+  Eigen::VectorXd displacements;  ///< u1, u2 of node 0, of node 1, ... [m]
+  Eigen::VectorXd forces;         ///< that hold the nodes, likewise [N]; zero where a node is free
+  ElementStress stress;
+
+  [[nodiscard]] Vec2 displacement(std::uint32_t node) const {
+    return displacements.segment<2>(2 * Eigen::Index{node});
+  }
+  [[nodiscard]] Vec2 force(std::uint32_t node) const {
+    return forces.segment<2>(2 * Eigen::Index{node});
+  }
+  /// All of it is linear in what was prescribed.
+  void scale(double factor) {
+    displacements *= factor;
+    forces *= factor;
+    stress.values() *= factor;
+  }
+};
+
+/// Sparse finite elements with some components of displacement prescribed and no other loads.
+/// Factorised once for a choice of components; every set of values then costs one solution.
+template <Element E, PlaneState P>
+class PrescribedDisplacement {
+ public:
+  /// @param mesh      anywhere in the plane
+  /// @param thickness out of plane [m]
+  /// @param held      the prescribed components, each named once, in the order of the values
+  /// Throws InvalidInput for a component that the mesh does not have, and SimulationError where
+  /// the held components leave the body free to move.
+  PrescribedDisplacement(Mesh mesh, const E& element, const P& plane, const Rock& rock,
+                         double thickness, std::vector<NodeComponent> held)
+      : mesh_(std::move(mesh)), element_(element), elasticity_(plane.elasticity(rock)),
+        thickness_(thickness), held_(std::move(held)) {
+    require_positive("PrescribedDisplacement.thickness", thickness);
+    number_unknowns();
+    assemble();
+    factorise();
+  }
+  PrescribedDisplacement(const PrescribedDisplacement&) = delete;
+  PrescribedDisplacement& operator=(const PrescribedDisplacement&) = delete;
+
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] const std::vector<NodeComponent>& held() const { return held_; }
+
+  /// @param values of the held components, in their order [m]
+  [[nodiscard]] Deformation solve(std::span<const double> values) const {
+    require(values.size() == held_.size(), "PrescribedDisplacement: count of values",
+            static_cast<double>(values.size()), "must be one for each held component");
+    Deformation d;
+    d.displacements.setZero(size());
+    for (std::size_t i = 0; i < held_.size(); ++i) d.displacements[place(held_[i])] = values[i];
+    const Eigen::VectorXd pull = stiffness_ * d.displacements;
+    Eigen::VectorXd right_side(free_count_);
+    for (Eigen::Index i = 0; i < size(); ++i)
+      if (unknown(i) >= 0) right_side[unknown(i)] = -pull[i];
+    const Eigen::VectorXd solution = cholesky_.solve(right_side);
+    for (Eigen::Index i = 0; i < size(); ++i)
+      if (unknown(i) >= 0) d.displacements[i] = solution[unknown(i)];
+    const Eigen::VectorXd forces = stiffness_ * d.displacements;
+    d.forces.setZero(size());
+    for (const NodeComponent& c : held_) d.forces[place(c)] = forces[place(c)];
+    find_stress(d.displacements, d.stress);
+    return d;
+  }
+
+ private:
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+  [[nodiscard]] Eigen::Index size() const {
+    return 2 * static_cast<Eigen::Index>(mesh_.nodes.size());
+  }
+  [[nodiscard]] static Eigen::Index place(const NodeComponent& c) {
+    return 2 * Eigen::Index{c.node} + Eigen::Index{c.axis};
+  }
+  [[nodiscard]] Eigen::Index unknown(Eigen::Index place) const {
+    return unknown_of_[static_cast<std::size_t>(place)];
+  }
+  [[nodiscard]] std::array<Eigen::Index, 6> places(std::size_t e) const {
+    std::array<Eigen::Index, 6> out{};
+    for (std::uint32_t k = 0; k < 6; ++k) out[k] = place({mesh_.triangles[e][k / 2], k % 2});
+    return out;
+  }
+
+  // -1 marks a held component.
+  void number_unknowns() {
+    unknown_of_.assign(static_cast<std::size_t>(size()), 0);
+    for (const NodeComponent& c : held_) {
+      require(c.node < mesh_.nodes.size(), "NodeComponent.node", c.node, "must be in the mesh");
+      require(c.axis < 2, "NodeComponent.axis", c.axis, "must be 0 or 1");
+      Eigen::Index& unknown = unknown_of_[static_cast<std::size_t>(place(c))];
+      require(unknown == 0, "NodeComponent.node", c.node, "must not be held twice along one axis");
+      unknown = -1;
+    }
+    for (Eigen::Index& unknown : unknown_of_)
+      if (unknown >= 0) unknown = free_count_++;
+  }
+
+  void assemble() {
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(36 * mesh_.size());
+    for (std::size_t e = 0; e < mesh_.size(); ++e) {
+      const StrainDisplacement b = element_.strain_displacement(mesh_.triangle(e));
+      const Matrix6 k = (thickness_ * mesh_.area(e)) * (b.transpose() * elasticity_ * b);
+      const auto at = places(e);
+      for (std::size_t q = 0; q < 6; ++q)
+        for (std::size_t p = 0; p < 6; ++p)
+          entries.emplace_back(static_cast<int>(at[p]), static_cast<int>(at[q]),
+                               k(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(q)));
+    }
+    stiffness_.resize(size(), size());
+    stiffness_.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  // Pivots of a body that can still move are round-off beside those of one that cannot.
+  void factorise() {
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(static_cast<std::size_t>(stiffness_.nonZeros()));
+    for (Eigen::Index column = 0; column < size(); ++column)
+      for (Eigen::SparseMatrix<double>::InnerIterator it(stiffness_, column); it; ++it)
+        if (unknown(column) >= 0 && unknown(it.row()) >= unknown(column))
+          entries.emplace_back(static_cast<int>(unknown(it.row())),
+                               static_cast<int>(unknown(column)), it.value());
+    Eigen::SparseMatrix<double> free(free_count_, free_count_);
+    free.setFromTriplets(entries.begin(), entries.end());
+    cholesky_.compute(free);
+    if (cholesky_.info() != Eigen::Success ||
+        !(cholesky_.vectorD().minCoeff() > 1e-12 * cholesky_.vectorD().maxCoeff()))
+      throw SimulationError("PrescribedDisplacement: the held components leave the body free");
+  }
+
+  // Compression is positive.
+  void find_stress(const Eigen::VectorXd& displacements, ElementStress& stress) const {
+    stress.reset(mesh_.size());
+    for (std::size_t e = 0; e < mesh_.size(); ++e) {
+      Eigen::Matrix<double, 6, 1> nodal;
+      const auto at = places(e);
+      for (std::size_t k = 0; k < 6; ++k)
+        nodal[static_cast<Eigen::Index>(k)] = displacements[at[k]];
+      const Eigen::Vector3d tension =
+          elasticity_ * (element_.strain_displacement(mesh_.triangle(e)) * nodal);
+      stress.set(e, {-tension[0], -tension[1], -tension[2]});
+    }
+  }
+
+  Mesh mesh_;
+  E element_;
+  Eigen::Matrix3d elasticity_;
+  double thickness_ = 0;
+  std::vector<NodeComponent> held_;
+
+  std::vector<Eigen::Index> unknown_of_;
+  Eigen::Index free_count_ = 0;
+  Eigen::SparseMatrix<double> stiffness_;  // of all components, held ones included
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> cholesky_;
+};
+
+}  // namespace riprap
