@@ -1,7 +1,9 @@
 #include "claim_section.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstdio>
 #include <map>
 
 namespace report {
@@ -57,14 +59,28 @@ int named_figure(const std::string& text) {
   return at == std::string::npos ? 5 : std::stoi(text.substr(at + 5));
 }
 
+// Numbers of another study, by their names there.
+std::string plain(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::string value_text(const Json& value) {
+  if (!value.is_number()) return value.is_string() ? value.get<std::string>() : value.dump();
+  const double v = value.get<double>();
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.3g", std::abs(v) < 1e-9 ? 0 : v);
+  return buffer;
+}
+
 Table flat_table(const Json& numbers) {
-  Table table{{"", ""}, {}};
+  Table table{{"number", "value"}, {}};
   for (const auto& [name, value] : numbers.items()) {
     if (value.is_object()) {
       for (const auto& [inner, v] : value.items())
-        table.rows.push_back({"`" + name + "`, `" + inner + "`", v.dump()});
+        table.rows.push_back({plain(name) + ", " + inner, value_text(v)});
     } else {
-      table.rows.push_back({"`" + name + "`", value.dump()});
+      table.rows.push_back({plain(name), value_text(value)});
     }
   }
   return table;
@@ -89,7 +105,7 @@ std::vector<ShownClaim> unconfined_claims(const std::filesystem::path& file) {
                    .section = "3.2",
                    .text = text,
                    .rule = c.at("rule"),
-                   .quantity = "numbers",
+                   .quantity = "in the study of unconfined tests",
                    .verdict = c.at("verdict"),
                    .reason = c.at("reason"),
                    .figures = {named_figure(text)},

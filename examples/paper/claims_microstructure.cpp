@@ -125,9 +125,9 @@ Claim diagonal_bands(const Results& results, Mode breakable) {
        .figures = {7},
        .text = "At 14 MPa shear localises in four bands between the axial and the lateral "
                "direction.",
-       .rule = "of the tenth of the particles that moved most unlike their neighbours, more than "
-               "half lie within 22.5 degrees of a diagonal through the centre, at the last "
-               "snapshot; half is what chance gives",
+       .rule = "of the tenth of the particles around which shear was largest over the last 6 % of "
+               "strain, up to 18 %, more than half lie within 22.5 degrees of a diagonal through "
+               "the centre; half is what chance gives",
        .quantity = "share near a diagonal"},
       levels(
           results, {Mode::nb, breakable}, {14e6},
@@ -136,22 +136,22 @@ Claim diagonal_bands(const Results& results, Mode breakable) {
 }
 
 Claim bands_move_inwards(const Results& results, Mode breakable) {
-  return judged(
-      {.id = "shear_bands_move_inwards",
-       .section = "4.1",
-       .figures = {10},
-       .text = "At 2 MPa the shear bands move towards the centre as strain grows.",
-       .rule = "the mean distance from the centre, over the radius, of the tenth of the particles "
-               "that moved most unlike their neighbours falls from the first to the last snapshot",
-       .quantity = "change of the distance over the radius"},
-      levels(
-          results, {Mode::nb, breakable}, {2e6},
-          [](const Run& run) {
-            return run.bands.size() < 2
-                       ? none
-                       : run.bands.back().radius_share - run.bands.front().radius_share;
-          },
-          Claimed::below));
+  return judged({.id = "shear_bands_move_inwards",
+                 .section = "4.1",
+                 .figures = {10},
+                 .text = "At 2 MPa the shear bands move towards the centre as strain grows.",
+                 .rule = "the mean distance from the centre, over the radius, of the tenth of the "
+                         "particles around which shear was largest falls from the first 6 % of "
+                         "strain to those from 12 to 18 %",
+                 .quantity = "change of the distance over the radius"},
+                levels(
+                    results, {Mode::nb, breakable}, {2e6},
+                    [](const Run& run) {
+                      return run.bands.size() < 2
+                                 ? none
+                                 : run.bands.back().radius_share - run.bands.front().radius_share;
+                    },
+                    Claimed::below));
 }
 
 Claim axial_chains(const Results& results, Mode breakable) {
@@ -200,9 +200,9 @@ Claim breaks_in_bands(const Results& results, Mode breakable) {
        .figures = {10},
        .text = "Most breakage takes place along the shear bands.",
        .rule =
-           "the share of the particles that moved less unlike their neighbours than the broken "
-           "one, in the mean of all breakages in shear, is above one half, which is what chance "
-           "gives; at 4, 8 and 14 MPa",
+           "the share of the particles around which there was less shear than around the broken "
+           "one, over the 6 % of strain in which it broke and in the mean of all breakages in "
+           "shear, is above one half, which is what chance gives; at 4, 8 and 14 MPa",
        .quantity = "mean share"},
       levels(results, {breakable}, {4e6, 8e6, 14e6}, mean_band_share, Claimed::above, 0.5));
 }

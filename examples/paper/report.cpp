@@ -90,7 +90,7 @@ void add_parameters(Document& document, const Results& results) {
   document.push_back(
       Heading{2, "Parameters: what the paper gives, and what it leaves open", "parameters"});
   add(document,
-      "The equations are used as [choices.md](choices.md) puts them right; it also gives the "
+      "The equations are used as `docs/choices.md` puts them right; it also gives the "
       "reasons at length. Compression and contraction are positive, and axis 2 is loaded.");
   document.push_back(parameters_table(run_parameters(results)));
 }

@@ -25,13 +25,12 @@ inline constexpr std::array<double, 6> pressures = {0.5e6, 1e6, 2e6, 4e6, 8e6, 1
 std::string pressure_text(double pressure);
 
 struct Break {
-  bool in_shear = true;     // or in the hydrostatic stage
-  double radius_share = 0;  // distance of the parent from the centre over the radius
-  std::optional<double>
-      band_share;  // share of the particles whose neighbours moved less unlike them
+  bool in_shear = true;              // or in the hydrostatic stage
+  double radius_share = 0;           // distance of the parent from the centre over the radius
+  std::optional<double> band_share;  // share of the particles with less shear around them
 };
 
-// Where neighbours moved most unlike each other, up to a strain.
+// The tenth of the particles with the most shear around them, up to a strain.
 struct Bands {
   double axial_strain = 0;
   double radius_share = 0;    // mean distance from the centre over the radius
