@@ -43,6 +43,10 @@ void add_introduction(Document& document, const Results& results) {
           std::to_string(samples.size()) + (samples.size() == 1 ? " sample" : " samples") +
           " of each series; the runs took " + std::to_string(static_cast<long>(time / 60 + 0.5)) +
           " minutes of one processor core.");
+  if (samples.size() == 1)
+    add(document,
+        "One sample has no scatter to judge by, so that nearly all claims are left open: this is a "
+        "trial of the study and not its result.");
 }
 
 void add_summary(Document& document, const std::vector<ShownClaim>& claims) {

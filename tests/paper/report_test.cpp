@@ -99,6 +99,7 @@ TEST_CASE("pictures of the runs and the unconfined tests are taken in") {
   const std::string page = folder.text("paper.md");
   CHECK(contains(page, "![WB, 6 %](images/paper/fig_10_wb_2MPa_movement_06.svg)"));
   CHECK(contains(page, "Not drawn in these runs: NB, 6 %; "));
+  CHECK(contains(page, "One sample has no scatter to judge by"));
   CHECK(contains(page, "![fig_04](images/paper/fig_04.svg)"));
   CHECK(contains(
       page,
