@@ -30,15 +30,22 @@ struct Task {
   Task(const RunPlan& p, fs::path f) : plan(p), folder(std::move(f)) {}
 };
 
-enum class Found { nothing, finished, other };
+// What keeps a folder from holding this finished run: nothing, that there is none, or a reason to
+// make it again.
+struct Finding {
+  bool finished = false;
+  std::string other;
+};
 
-// Is there a run in the folder, and is it this one?
-Found find_run(const RunPlan& plan, const fs::path& folder) {
+Finding find_run(const RunPlan& plan, const fs::path& folder) {
   std::ifstream file(folder / "run.json");
-  if (!file) return Found::nothing;
+  if (!file) return {};
   const Json found = Json::parse(file, nullptr, false);
-  if (found.is_discarded() || !found.contains("parameters")) return Found::other;
-  return found["parameters"] == plan.parameters() ? Found::finished : Found::other;
+  if (found.is_discarded() || !found.contains("parameters")) return {false, "cannot be read"};
+  const Json wanted = plan.parameters();
+  if (found["parameters"] == wanted) return {true, ""};
+  const Json differences = Json::diff(found["parameters"], wanted);
+  return {false, "was made with another " + differences.at(0)["path"].get<std::string>()};
 }
 
 void make_run(const RunPlan& plan, const fs::path& folder, WorkDone& done) {
@@ -159,14 +166,14 @@ StudyOutcome make_runs(const std::vector<RunPlan>& plans, const fs::path& folder
   std::vector<std::unique_ptr<Task>> tasks;
   for (const RunPlan& plan : plans) {
     const fs::path place = folder / "runs" / plan.name();
-    const Found found = find_run(plan, place);
-    if (found == Found::finished) {
+    const Finding found = find_run(plan, place);
+    if (found.finished) {
       ++outcome.kept;
       continue;
     }
-    if (found == Found::other)
-      std::fprintf(stderr, "%s was made with other parameters: it is made again\n",
-                   place.string().c_str());
+    if (!found.other.empty())
+      std::fprintf(stderr, "%s %s: it is made again\n", place.string().c_str(),
+                   found.other.c_str());
     tasks.push_back(std::make_unique<Task>(plan, place));
   }
   if (outcome.kept > 0)
