@@ -8,6 +8,7 @@
 #include <riprap/experiment/range_check.hpp>
 #include <riprap/riprap.hpp>
 
+#include "band_record.hpp"
 #include "run_json.hpp"
 #include "run_pictures.hpp"
 #include "run_plan.hpp"
@@ -43,6 +44,7 @@ void run_model(const RunPlan& plan, ModelType model, const std::filesystem::path
   const BiaxialTest test = plan.test();
   Curve curve;
   RunRecord record;
+  BandRecord band_record;
   RangeCheck check;
   BiaxialResult result;
   const WorkMeter meter{plan, done};
@@ -54,15 +56,16 @@ void run_model(const RunPlan& plan, ModelType model, const std::filesystem::path
     RunPictures pictures(plan, folder);
     if constexpr (Simulation<ModelType>::breakable) {
       BreakProcess process(plan);
-      result = test.run(sim, curve, record, check, pictures, process, meter);
+      result = test.run(sim, curve, record, band_record, check, pictures, process, meter);
       process.save(folder);
     } else {
-      result = test.run(sim, curve, record, check, pictures, meter);
+      result = test.run(sim, curve, record, band_record, check, pictures, meter);
     }
   } else {
-    result = test.run(sim, curve, record, check, meter);
+    result = test.run(sim, curve, record, band_record, check, meter);
   }
   record.write(j);
+  band_record.write(j);
   j["curve"] = curve_json(curve);
   j["grading"] = grading_json(sim.particles());
   j["numbers"] = numbers_json(curve, result,

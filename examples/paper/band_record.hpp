@@ -1,0 +1,87 @@
+#pragma once
+// An observer that keeps where shear localised over each 6 % of strain, and how near to it
+// particles broke.
+
+#include <array>
+#include <vector>
+
+#include "run_plan.hpp"
+#include "shear_bands.hpp"
+
+namespace study {
+
+class BandRecord {
+ public:
+  template <class Sim>
+  void begin_stage(const riprap::BiaxialView<Sim>& view) {
+    if (view.stage != riprap::Stage::shear) return;
+    radius_ = riprap::Vec2(view.sim.boundary().region(view.sim.particles()).semi_axes()).mean();
+    begin(view);
+  }
+
+  template <class Sim>
+  void record(const riprap::BiaxialView<Sim>& view) {
+    if (next_ == ends.size() || view.stage != riprap::Stage::shear ||
+        view.axial_strain() < ends[next_] - 1e-9)
+      return;
+    all_ = shear_around(movement_.moves(view.sim.particles()), stretch_);
+    const Bands found = bands(all_, radius_);
+    bands_["axial_strain"].push_back(view.axial_strain());
+    bands_["radius_share"].push_back(found.radius_share);
+    bands_["diagonal_share"].push_back(found.diagonal_share);
+    judge_breaks();
+    ++next_;
+    begin(view);
+  }
+
+  template <class Sim>
+  void record_break(const riprap::BiaxialView<Sim>& view, const riprap::BreakEvent& event) {
+    movement_.record_break(view, event);
+    if (view.stage != riprap::Stage::shear) return;
+    const auto& particles = view.sim.particles();
+    riprap::Vec2 centroid{0, 0};
+    for (riprap::BodyIndex i = 0; i < particles.size(); ++i)
+      for (std::size_t k = 0; k < 2; ++k)
+        if (particles.ancestry(i).id == event.pieces[k])
+          centroid +=
+              event.areas[k] / (event.areas[0] + event.areas[1]) * particles.body(i).position;
+    waiting_.push_back(centroid.cwiseQuotient(view.stretch));
+  }
+
+  // Adds its part to a run.json that has its breaks already.
+  void write(Json& run) {
+    // What broke behind the last window is compared with that.
+    if (!all_.empty()) judge_breaks();
+    run["bands"] = bands_;
+    std::size_t next = 0;
+    for (Json& b : run["breaks"])
+      if (b["stage"] == riprap::to_text(riprap::Stage::shear) && next < shares_.size())
+        b["band_share"] = shares_[next++];
+  }
+
+ private:
+  static constexpr std::array ends{0.06, 0.12, 0.18};
+
+  template <class Sim>
+  void begin(const riprap::BiaxialView<Sim>& view) {
+    movement_.begin(view.sim.particles());
+    stretch_ = view.stretch;
+  }
+  void judge_breaks() {
+    for (const riprap::Vec2& place : waiting_) shares_.push_back(band_share(all_, place));
+    waiting_.clear();
+  }
+
+  double radius_ = 1;  // when shear begins [m]
+  riprap::Vec2 stretch_{1, 1};
+  riprap::Movement movement_;
+  std::size_t next_ = 0;
+  std::vector<Sheared> all_;
+  std::vector<riprap::Vec2> waiting_;  // where particles broke in this window
+  std::vector<double> shares_;         // of all breaks in shear, in their order
+  Json bands_ = {{"axial_strain", Json::array()},
+                 {"radius_share", Json::array()},
+                 {"diagonal_share", Json::array()}};
+};
+
+}  // namespace study

@@ -1,0 +1,155 @@
+#include "results.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <tuple>
+
+#include <riprap/core/errors.hpp>
+
+namespace report {
+
+namespace {
+
+// JSON has no NaN: it is written as null.
+double real(const Json& value) {
+  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+}
+
+std::vector<double> reals(const Json& values) {
+  std::vector<double> out;
+  out.reserve(values.size());
+  for (const Json& v : values) out.push_back(real(v));
+  return out;
+}
+
+Mode mode_of(const std::string& text) {
+  if (text == "nb") return Mode::nb;
+  if (text == "wb") return Mode::wb;
+  if (text == "pinned") return Mode::pinned;
+  throw riprap::InvalidInput("riprap: mode \"" + text + "\" of a run must be nb, wb or pinned");
+}
+
+std::vector<Bands> read_bands(const Json& json) {
+  const std::vector<double> strain = reals(json.at("axial_strain"));
+  const std::vector<double> radius = reals(json.at("radius_share"));
+  const std::vector<double> diagonal = reals(json.at("diagonal_share"));
+  std::vector<Bands> bands;
+  for (std::size_t i = 0; i < strain.size(); ++i)
+    bands.push_back({strain[i], radius.at(i), diagonal.at(i)});
+  return bands;
+}
+
+}  // namespace
+
+std::string to_text(Mode mode) {
+  return mode == Mode::nb ? "NB" : mode == Mode::wb ? "WB" : "pinned";
+}
+
+std::string pressure_text(double pressure) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%g MPa", pressure / 1e6);
+  return buffer;
+}
+
+const std::vector<double>& Run::column(const std::string& name) const {
+  const auto found = curve.find(name);
+  if (found == curve.end())
+    throw riprap::InvalidInput("riprap: " + this->name() + " has no column \"" + name + "\"");
+  return found->second;
+}
+
+double Run::number(const std::string& name) const {
+  const auto found = numbers.find(name);
+  return found == numbers.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+}
+
+std::size_t Run::breaks_in_shear() const {
+  return static_cast<std::size_t>(
+      std::count_if(breaks.begin(), breaks.end(), [](const Break& b) { return b.in_shear; }));
+}
+
+std::string Run::name() const {
+  return to_text(mode) + " " + pressure_text(pressure) + ", sample " + std::to_string(seed);
+}
+
+Run read_run(const Json& json, const std::filesystem::path& folder) {
+  Run run;
+  run.folder = folder;
+  run.mode = mode_of(json.at("mode"));
+  run.pressure = json.at("pressure_Pa");
+  run.seed = json.at("seed");
+  run.particles = json.at("particles");
+  run.wall_time = real(json.at("wall_s"));
+  for (const auto& [name, values] : json.at("curve").items()) run.curve[name] = reals(values);
+  for (const auto& [name, values] : run.curve)
+    if (values.size() != run.column("axial_strain").size())
+      throw riprap::InvalidInput("riprap: column \"" + name + "\" of " + run.name() +
+                                 " must be as long as that of the axial strain");
+  for (const Json& b : json.at("breaks")) {
+    run.breaks.push_back({b.at("stage") == "shear", real(b.at("radius_share")), {}});
+    if (b.contains("band_share") && !b.at("band_share").is_null())
+      run.breaks.back().band_share = b.at("band_share").get<double>();
+  }
+  run.rat_at_shear_start = reals(json.at("rat_at_shear_start"));
+  const Json& movement = json.at("movement");
+  run.ring_outer_share = reals(movement.at("ring_outer_share"));
+  run.ring_displacement = reals(movement.at("mean_displacement_m"));
+  const Json& forces = json.at("normal_forces");
+  run.force_strain = reals(forces.at("axial_strain"));
+  run.force_axial = reals(forces.at("mean_near_axis_2_N"));
+  run.force_side = reals(forces.at("mean_near_axis_1_N"));
+  if (json.contains("bands")) run.bands = read_bands(json.at("bands"));
+  for (const auto& [name, value] : json.at("numbers").items())
+    if (value.is_number() || value.is_null()) run.numbers[name] = real(value);
+  for (const Json& warning : json.at("warnings")) run.warnings.push_back(warning);
+  return run;
+}
+
+std::vector<const Run*> Results::of(Mode mode, double pressure) const {
+  std::vector<const Run*> out;
+  for (const Run& run : runs)
+    if (run.mode == mode && std::abs(run.pressure / pressure - 1) < 1e-9) out.push_back(&run);
+  return out;
+}
+
+bool Results::has(Mode mode) const {
+  return std::any_of(runs.begin(), runs.end(), [&](const Run& r) { return r.mode == mode; });
+}
+
+const Run* Results::first(Mode mode, double pressure) const {
+  const auto found = of(mode, pressure);
+  return found.empty() ? nullptr : found.front();
+}
+
+Json read_json(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  try {
+    return Json::parse(in);
+  } catch (const Json::exception& e) {
+    throw riprap::InvalidInput("riprap: " + file.string() + ": " + e.what());
+  }
+}
+
+Results read_results(const std::filesystem::path& folder) {
+  Results results;
+  if (std::filesystem::is_directory(folder / "runs"))
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "runs")) {
+      const auto file = entry.path() / "run.json";
+      if (!std::filesystem::exists(file)) continue;
+      try {
+        results.runs.push_back(read_run(read_json(file), entry.path()));
+      } catch (const Json::exception& e) {
+        throw riprap::InvalidInput("riprap: " + file.string() + ": " + e.what());
+      }
+    }
+  if (results.runs.empty())
+    throw riprap::InvalidInput("riprap: no finished run in " + (folder / "runs").string());
+  std::sort(results.runs.begin(), results.runs.end(), [](const Run& a, const Run& b) {
+    return std::tuple(a.mode, a.pressure, a.seed) < std::tuple(b.mode, b.pressure, b.seed);
+  });
+  return results;
+}
+
+}  // namespace report

@@ -1,0 +1,33 @@
+#pragma once
+// Where shear localises: the shear strain around each particle, from what it and its neighbours
+// moved, and where the tenth of the particles with the most of it lies.
+
+#include <vector>
+
+#include <riprap/experiment/movement.hpp>
+
+namespace study {
+
+// A free particle of an assembly, where it would be without the strain so far.
+struct Sheared {
+  riprap::Vec2 place{0, 0};  // [m] from the centre
+  double shear = 0;          // largest shear strain around it [-]
+};
+
+// Of every free particle: the maximum shear of the displacement gradient that fits its own movement
+// and that of its twelve nearest best. `stretch` is that of the sample when the moves began.
+std::vector<Sheared> shear_around(const std::vector<riprap::Move>& moves,
+                                  const riprap::Vec2& stretch);
+
+struct Bands {
+  double radius_share = 0;    // mean distance from the centre over the radius
+  double diagonal_share = 0;  // within 22.5 degrees of a diagonal; one half by chance
+};
+
+// Of the tenth of the particles with the largest shear. Throws InvalidInput if there is none.
+Bands bands(std::vector<Sheared> all, double radius);
+
+// Share of the particles with less shear than the one nearest to a place; one half by chance.
+double band_share(const std::vector<Sheared>& all, const riprap::Vec2& place);
+
+}  // namespace study
