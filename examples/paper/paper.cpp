@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 
 #include <riprap/core/errors.hpp>
 
@@ -9,11 +10,13 @@
 #include "report.hpp"
 #include "run_plan.hpp"
 #include "run_queue.hpp"
+#include "run_unconfined.hpp"
 
 int main(int argc, char** argv) {
   const study::Options options = study::read_options(argc, argv);
   try {
     const auto outcome = study::make_runs(study::all_runs(options), options.out, options.jobs);
+    study::make_unconfined(std::filesystem::path(options.out) / "unconfined");
     write_report(options.out);
     std::printf("%zu runs made, %zu kept; open %s/report.html\n", outcome.finished, outcome.kept,
                 options.out.c_str());

@@ -87,14 +87,6 @@ Requirement eq_14_everywhere(const Results& results, Mode mode) {
   return {"The same at every single pressure, " + with + " breakage.", numbers, met(all, judged)};
 }
 
-std::string text_of(const Json& value) {
-  if (value.is_string()) return value.get<std::string>();
-  if (!value.is_array()) return value.dump();
-  std::string out;
-  for (const Json& v : value) out += (out.empty() ? "" : ", ") + text_of(v);
-  return out;
-}
-
 }  // namespace
 
 std::vector<Requirement> requirements(const Results& results) {
@@ -121,17 +113,6 @@ Table requirements_table(const std::vector<Requirement>& all) {
                           r.met == Met::yes  ? "**holds**"
                           : r.met == Met::no ? "**does not hold**"
                                              : "not judged: runs are missing"});
-  return table;
-}
-
-Table causes_table(const Json& causes) {
-  Table table;
-  for (const auto& [name, value] : causes.at(0).items()) table.head.push_back(name);
-  for (const Json& cause : causes) {
-    table.rows.emplace_back();
-    for (const std::string& name : table.head)
-      table.rows.back().push_back(cause.contains(name) ? text_of(cause.at(name)) : "");
-  }
   return table;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // Four outcomes that a repetition of the study has to have, judged by the means of the samples
-// alone, and the causes that were suspected and tried where one is missing.
+// alone.
 
 #include <string>
 #include <vector>
@@ -21,9 +21,5 @@ struct Requirement {
 std::vector<Requirement> requirements(const Results& results);
 
 Table requirements_table(const std::vector<Requirement>& all);
-
-// A list of {cause, runs, effect, scatter}, each a text, a number or a list of them; the names of
-// the columns are those of the first entry.
-Table causes_table(const Json& causes);
 
 }  // namespace report

@@ -130,7 +130,7 @@ Json breakage_json(const riprap::Model<>& model, const riprap::StraightCut& spli
 }  // namespace
 
 Json RunPlan::parameters() const {
-  constexpr int layout_of_record = 1;  // of run.json and its pictures: another one, another run
+  constexpr int layout_of_record = 2;  // of run.json and its pictures: another one, another run
   const riprap::Model<> model;
   const riprap::Rock rock;
   Json j = {

@@ -4,13 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
 
-#include <riprap/output/file.hpp>
-
-#include "figures.hpp"
-#include "report.hpp"
-#include "specimen_picture.hpp"
+#include "files.hpp"
 
 namespace {
 
@@ -72,18 +67,6 @@ void print(const unconfined::Study& s) {
     std::printf("%s: %s\n", claim.name.c_str(), claim.verdict.c_str());
 }
 
-void write(const unconfined::Study& s) {
-  const std::filesystem::path folder = s.options.out;
-  std::filesystem::create_directories(folder);
-  const auto at = [&](const char* name) { return (folder / name).string(); };
-  riprap::write_file(at("unconfined.json"), unconfined::to_json(s).dump(2) + "\n");
-  unconfined::draw_specimen(s).save(at("fig3_specimen.svg"));
-  unconfined::draw_poisson(s).save(at("fig4_poisson.svg"));
-  unconfined::draw_strength(s).save(at("fig5_strength.svg"));
-  unconfined::draw_others(s).save(at("what_moves_rat.svg"));
-  std::printf("numbers and pictures in %s\n", s.options.out.c_str());
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -91,7 +74,8 @@ int main(int argc, char** argv) {
   try {
     const unconfined::Study study = unconfined::unconfined_study(options);
     print(study);
-    write(study);
+    unconfined::write_files(study, options.out);
+    std::printf("numbers and pictures in %s\n", options.out.c_str());
   } catch (const riprap::InvalidInput& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
     return 2;

@@ -110,9 +110,10 @@ TEST_CASE("pictures of the runs and the unconfined tests are taken in") {
 TEST_CASE("causes are shown where an outcome is missing, and only there") {
   for (const bool as_claimed : {true, false}) {
     const Folder folder({.as_claimed = as_claimed}, false);
-    folder.add("causes.json", R"([{"cause": "the moon", "effect": 0}])");
+    folder.add("causes/wb_8MPa_1_slow_shear/run.json",
+               folder.text("runs/WB 8 MPa, sample 1/run.json"));
     write_report(folder.path());
-    CHECK(contains(folder.text("paper.md"), "| the moon | 0 |") == !as_claimed);
+    CHECK(contains(folder.text("paper.md"), "| 8 MPa | haste: half") == !as_claimed);
   }
 }
 

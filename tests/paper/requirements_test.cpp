@@ -46,14 +46,3 @@ TEST_CASE("a fall of friction counts from 0.03 on") {
   // There is no run with breakage.
   CHECK(report::requirements(results)[1].met == Met::not_judged);
 }
-
-TEST_CASE("causes become a table with the columns of the first, whatever its entries are") {
-  const auto json = report::Json::parse(R"([
-    {"cause": "rate", "runs": ["a", "b"], "effect": 0.01, "scatter": 0.02},
-    {"cause": "mesh", "effect": "none"}])");
-  const report::Table table = report::causes_table(json);
-  CHECK(table.head == std::vector<std::string>{"cause", "runs", "effect", "scatter"});
-  REQUIRE(table.rows.size() == 2);
-  CHECK(table.rows[0] == std::vector<std::string>{"rate", "a, b", "0.01", "0.02"});
-  CHECK(table.rows[1] == std::vector<std::string>{"mesh", "", "none", ""});
-}
