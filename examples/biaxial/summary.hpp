@@ -11,6 +11,7 @@
 
 #include "grading_json.hpp"
 #include "options.hpp"
+#include "setup_json.hpp"
 
 // Keeps the order in which things are written.
 using Json = nlohmann::ordered_json;
@@ -29,35 +30,6 @@ inline Json point_json(const riprap::CurvePoint& p) {
           {"coordination_number", p.coordination.coordination_number},
           {"contacts_per_particle", p.coordination.contacts_per_particle},
           {"porosity", p.porosity}};
-}
-
-inline Json assembly_json(const riprap::RandomAssembly& a) {
-  return {{"particles", a.count},
-          {"seed", a.seed},
-          {"mean_diameter_m", a.mean_diameter},
-          {"thickness_m", a.thickness},
-          {"smallest_diameter", a.smallest_diameter},
-          {"largest_diameter", a.largest_diameter},
-          {"vertices", {a.shape.fewest_vertices, a.shape.most_vertices}},
-          {"axis_ratios", {a.shape.smallest_axis_ratio, a.shape.largest_axis_ratio}},
-          {"angle_jitter", a.shape.angle_jitter},
-          {"solid_fraction", a.solid_fraction},
-          {"dense_fraction", a.dense_fraction},
-          {"boundary_spacing", a.boundary_spacing}};
-}
-
-inline Json test_json(const riprap::BiaxialTest& t) {
-  return {{"confining_pressure_Pa", t.confining_pressure},
-          {"axial_strain", t.axial_strain},
-          {"inertial_number", t.inertial_number},
-          {"record_every", t.record_every},
-          {"jam_pressure_Pa", t.jam_pressure},
-          {"jam_kinetic_ratio", t.jam_kinetic_ratio},
-          {"compaction_inertial_number", t.compaction_inertial_number},
-          {"rest_unbalanced_force", t.rest_unbalanced_force},
-          {"hydrostatic_tolerance", t.hydrostatic_tolerance},
-          {"hydrostatic_unbalanced_force", t.hydrostatic_unbalanced_force},
-          {"most_steps", t.most_steps}};
 }
 
 inline Json criterion_json(const riprap::HoekBrown& c) {

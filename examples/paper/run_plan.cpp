@@ -8,6 +8,8 @@
 #include <riprap/riprap.hpp>
 #include <riprap/version.hpp>
 
+#include "../biaxial/setup_json.hpp"
+
 namespace study {
 
 std::string to_text(Mode mode) {
@@ -75,34 +77,6 @@ riprap::StraightCut RunPlan::splitter() const {
 }
 
 namespace {
-
-Json assembly_json(const riprap::RandomAssembly& a) {
-  return {{"particles", a.count},
-          {"seed", a.seed},
-          {"mean_diameter_m", a.mean_diameter},
-          {"thickness_m", a.thickness},
-          {"diameters", {a.smallest_diameter, a.largest_diameter}},
-          {"vertices", {a.shape.fewest_vertices, a.shape.most_vertices}},
-          {"axis_ratios", {a.shape.smallest_axis_ratio, a.shape.largest_axis_ratio}},
-          {"angle_jitter", a.shape.angle_jitter},
-          {"solid_fraction", a.solid_fraction},
-          {"dense_fraction", a.dense_fraction},
-          {"boundary_spacing", a.boundary_spacing}};
-}
-
-Json test_json(const riprap::BiaxialTest& t) {
-  return {{"confining_pressure_Pa", t.confining_pressure},
-          {"axial_strain", t.axial_strain},
-          {"inertial_number", t.inertial_number},
-          {"record_every", t.record_every},
-          {"jam_pressure_Pa", t.jam_pressure},
-          {"jam_kinetic_ratio", t.jam_kinetic_ratio},
-          {"compaction_inertial_number", t.compaction_inertial_number},
-          {"rest_unbalanced_force", t.rest_unbalanced_force},
-          {"hydrostatic_tolerance", t.hydrostatic_tolerance},
-          {"hydrostatic_unbalanced_force", t.hydrostatic_unbalanced_force},
-          {"most_steps", t.most_steps}};
-}
 
 Json motion_json(const riprap::Model<>& model) {
   const auto& law = model.contact_model.law;
