@@ -49,7 +49,14 @@ void no_breakage(benchmark::State& state) {
   auto sim = sheared(Model{}.criterion(NeverFails{}), blunt_cell(2e6), cells / rows, rows);
   step_on(state, sim);
 }
-BENCHMARK(no_breakage)->Name("step/no_breakage")->Arg(500)->Arg(5000)->Arg(100000);
+BENCHMARK(no_breakage)
+    ->Name("step/no_breakage")
+    ->Arg(500)
+    ->Arg(2000)
+    ->Arg(5000)
+    ->Arg(20000)
+    ->Arg(50000)
+    ->Arg(100000);
 
 // Keeps what a timer says at the beginning of shear.
 struct BeforeShear {
