@@ -68,12 +68,14 @@ Table causes_table(const Results& results, const std::filesystem::path& folder) 
   });
   const Run* base = nullptr;
   for (const Run& run : runs) {
-    const Run* const series = results.first(run.mode, run.pressure);
-    if (series == nullptr) continue;
-    if (series != base) {
-      base = series;
+    const std::vector<const Run*> series = results.of(run.mode, run.pressure);
+    const auto same = std::find_if(series.begin(), series.end(),
+                                   [&](const Run* r) { return r->seed == run.seed; });
+    if (same == series.end()) continue;
+    if (*same != base) {
+      base = *same;
       table.rows.push_back(
-          row(*base, "nothing: the series' first sample", scatter(results, *base)));
+          row(*base, "nothing: the same sample in the series", scatter(results, *base)));
     }
     const double change = mean_gap(run, "sin_phi_eq_14") - mean_gap(*base, "sin_phi_eq_14");
     table.rows.push_back(

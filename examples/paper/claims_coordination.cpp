@@ -20,8 +20,9 @@ double fall(const Run& run) { return at_start(run, coordination) - at_end(run, c
 // start and the middle of the last window.
 double late_share(const Run& run) {
   const double end = run.column("axial_strain").back();
-  return (mean_between(run, coordination, end - 0.10, end - 0.05) - at_end(run, coordination)) /
-         fall(run);
+  return std::abs(
+      (mean_between(run, coordination, end - 0.10, end - 0.05) - at_end(run, coordination)) /
+      fall(run));
 }
 
 Claim falls_and_levels(const Results& results, Mode breakable) {

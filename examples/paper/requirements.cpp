@@ -25,7 +25,7 @@ double mean(const Results& results, Mode mode, double pressure, const Feature& f
 Met met(bool all, bool judged) { return !judged ? Met::not_judged : all ? Met::yes : Met::no; }
 
 Requirement friction_falls(const Results& results) {
-  const Feature peak = [](const Run& run) { return largest(run, "sin_phi"); };
+  const Feature peak = [](const Run& run) { return smooth_peak(run, "sin_phi").value; };
   const double low = mean(results, Mode::nb, 0.5e6, peak);
   const double high = mean(results, Mode::nb, 14e6, peak);
   return {"Without breakage the largest sin phi falls by at least 0.03 from 0.5 to 14 MPa.",

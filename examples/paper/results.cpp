@@ -81,6 +81,7 @@ Run read_run(const Json& json, const std::filesystem::path& folder) {
   run.pressure = json.at("pressure_Pa");
   run.seed = json.at("seed");
   run.particles = json.at("particles");
+  run.relaxed_state = json.at("relaxed_state");
   run.wall_time = real(json.at("wall_s"));
   for (const auto& [name, values] : json.at("curve").items()) run.curve[name] = reals(values);
   for (const auto& [name, values] : run.curve)
@@ -94,10 +95,8 @@ Run read_run(const Json& json, const std::filesystem::path& folder) {
   }
   run.rat_at_shear_start = reals(json.at("rat_at_shear_start"));
   const Json& movement = json.at("movement");
-  run.ring_outer_share = reals(movement.at("ring_outer_share"));
   run.ring_displacement = reals(movement.at("mean_displacement_m"));
   const Json& forces = json.at("normal_forces");
-  run.force_strain = reals(forces.at("axial_strain"));
   run.force_axial = reals(forces.at("mean_near_axis_2_N"));
   run.force_side = reals(forces.at("mean_near_axis_1_N"));
   if (json.contains("bands")) run.bands = read_bands(json.at("bands"));

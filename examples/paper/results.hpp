@@ -43,12 +43,13 @@ struct Run {
   int seed = 0;
   std::filesystem::path folder;
   std::size_t particles = 0;
-  double wall_time = 0;  // [s]
+  std::string relaxed_state;  // equal if all particles lie alike
+  double wall_time = 0;       // [s]
   std::map<std::string, std::vector<double>> curve;
   std::vector<Break> breaks;
   std::vector<double> rat_at_shear_start;
-  std::vector<double> ring_outer_share, ring_displacement;    // [-], [m]
-  std::vector<double> force_strain, force_axial, force_side;  // [-], [N], [N]
+  std::vector<double> ring_displacement;        // [m], from the centre outwards
+  std::vector<double> force_axial, force_side;  // [N], from the start of shear on
   std::vector<Bands> bands;
   std::map<std::string, double> numbers;
   std::vector<std::string> warnings;

@@ -45,6 +45,7 @@ Range stress_range(const std::vector<Group>& groups) {
 
 // Solid where the tests reached, dashed beyond.
 void add_leps(riprap::Chart& chart, const Range& range) {
+  // No run comes near the lower end of the tests, 1 psi.
   const double end = riprap::LepsRockfill::highest_stress;
   const auto add = [&](const std::string& name, const riprap::LogarithmicEnvelope& line,
                        const std::string& colour) {

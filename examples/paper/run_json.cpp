@@ -67,7 +67,7 @@ Json grading_json(const riprap::Particles& particles) {
   Json j = {
       {"size_m", Json::array()}, {"finer_before", Json::array()}, {"finer_after", Json::array()}};
   for (int k = 0; k <= sizes; ++k) {
-    const double size = k == sizes ? before.largest() : finest * std::pow(ratio, k / 60.0);
+    const double size = k == sizes ? before.largest() : finest * std::pow(ratio, k / double{sizes});
     j["size_m"].push_back(size);
     j["finer_before"].push_back(before.passing(size));
     j["finer_after"].push_back(after.passing(size));

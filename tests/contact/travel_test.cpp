@@ -61,6 +61,14 @@ TEST_CASE("no vertex ever moves farther between two times than the bound has gro
   }
 }
 
+TEST_CASE("nobody has gone nowhere") {
+  const Particles particles(1, 1);
+  Travel<OpenPlane> travel;
+  travel.restart(particles, {});
+  travel.update(particles, {}, 0.035, 1);
+  CHECK(travel.so_far() == 0);
+}
+
 TEST_CASE("one body that goes straight on has a bound of its way, times root two") {
   Particles particles(1, 1);
   particles.add({{0, 0}, {1, 0}, {0, 1}}, Motion::free);

@@ -29,7 +29,7 @@ TEST_CASE("a run that differs in one thing stands below its series, with what it
   std::ofstream(place / "run.json") << riprap::test::run_json(run).dump();
   const report::Table table = report::causes_table(results, folder);
   REQUIRE(table.rows.size() == 2);
-  CHECK(table.rows[0][1] == "nothing: the series' first sample");
+  CHECK(table.rows[0][1] == "nothing: the same sample in the series");
   CHECK(table.rows[1][1].starts_with("slender pieces"));
   CHECK(table.rows[1].back() == "+0.020");      // all of it was above already
   CHECK(table.rows[0][3] == table.rows[1][3]);  // eq. 15 is as before

@@ -1,6 +1,9 @@
 #include <doctest/doctest.h>
 
+#include <vector>
+
 #include <riprap/dynamics/boundary/no_boundary.hpp>
+#include <riprap/particle/random_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
 #include <support/crushing.hpp>
 #include <support/near.hpp>
@@ -45,6 +48,31 @@ TEST_CASE("the mean stress of a particle under gathered contacts is that of its 
   // The forces act at the boundary; their places differ from it by half the overlap at most, which
   // the projection onto the boundary takes away. What is left is the imbalance of the two forces.
   CHECK(mean == near_relative(force / (0.016 * 0.016), 1e-6));
+}
+
+TEST_CASE("every particle has its own contacts and no others, across tasks too") {
+  Simulation sim{Model{}, random_assembly({.count = 600, .seed = 3}), Rock{}};
+  sim.set_breakage(false);
+  sim.boundary().set_rate(10, 10);
+  for (int i = 0; i < 4000; ++i) sim.step();
+  std::vector<std::vector<BodyIndex>> partners(sim.particles().size());
+  sim.contacts().for_each_touching([&](const auto& c) {
+    partners[c.a].push_back(c.b);
+    partners[c.b].push_back(c.a);
+  });
+  ParticleStress<StressModel<>> stress(StressModel<>{}, Rock{});
+  stress.gather(sim.particles(), sim.contacts());
+  std::size_t across = 0;
+  for (BodyIndex i = 0; i < partners.size(); ++i) {
+    CHECK(stress.contact_count(i) == partners[i].size());
+    std::uint64_t sum = 0;
+    for (const BodyIndex j : partners[i]) {
+      sum += spread_bits(sim.particles().ancestry(j).id);
+      across += task_of(i) != task_of(j);
+    }
+    CHECK(stress.partners(sim.particles(), i) == sum);
+  }
+  CHECK(across > 20);
 }
 
 TEST_CASE("partners are told apart by who they are, not by how many") {

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <numeric>
+
 #include <riprap/stress/assemble_and_solve.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
 #include <riprap/stress/plane_state/plane_strain.hpp>
@@ -118,6 +120,19 @@ TEST_CASE("what is prescribed is kept, and the forces are those of a potential")
   twice.scale(2);
   CHECK(twice.stress.values() == 2 * a.stress.values());
   CHECK(twice.force(5) == 2 * a.force(5));
+}
+
+TEST_CASE("where every node is held there is nothing to solve") {
+  Random random(305);
+  const Mesh mesh = test::random_mesh(random, 20);
+  std::vector<std::uint32_t> all(mesh.nodes.size());
+  std::iota(all.begin(), all.end(), 0U);
+  const auto held = fixed(all);
+  const Prescribed<> solver(mesh, {}, {}, Rock{}, thickness, held);
+  const auto values = random_values(held.size(), random);
+  const Deformation d = solver.solve(values);
+  for (std::size_t i = 0; i < held.size(); ++i)
+    CHECK(d.displacement(held[i].node)[held[i].axis] == values[i]);
 }
 
 TEST_CASE("bad input is named") {

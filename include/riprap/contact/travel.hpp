@@ -38,7 +38,9 @@ class Travel {
                 std::max(squared, poses_[i].way_squared(particles.body(static_cast<BodyIndex>(i))));
           longest_[task] = squared;
         });
-    now_ = std::sqrt(*std::max_element(longest_.begin(), longest_.end()));
+    double squared = 0;
+    for (const double longest : longest_) squared = std::max(squared, longest);
+    now_ = std::sqrt(squared);
     if constexpr (Plane::periodic) {
       // Images move with the cell; each body of a pair takes half.
       const Vec2 shrunk = (plane.period - plane_.period).cwiseAbs();

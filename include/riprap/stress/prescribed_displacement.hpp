@@ -83,9 +83,9 @@ class PrescribedDisplacement {
     Eigen::VectorXd right_side(free_count_);
     for (Eigen::Index i = 0; i < size(); ++i)
       if (unknown(i) >= 0) right_side[unknown(i)] = -pull[i];
-    const Eigen::VectorXd solution = cholesky_.solve(right_side);
+    if (free_count_ > 0) right_side = cholesky_.solve(right_side).eval();
     for (Eigen::Index i = 0; i < size(); ++i)
-      if (unknown(i) >= 0) d.displacements[i] = solution[unknown(i)];
+      if (unknown(i) >= 0) d.displacements[i] = right_side[unknown(i)];
     const Eigen::VectorXd forces = stiffness_ * d.displacements;
     d.forces.setZero(size());
     for (const NodeComponent& c : held_) d.forces[place(c)] = forces[place(c)];
@@ -143,6 +143,7 @@ class PrescribedDisplacement {
 
   // Pivots of a body that can still move are round-off beside those of one that cannot.
   void factorise() {
+    if (free_count_ == 0) return;
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(static_cast<std::size_t>(stiffness_.nonZeros()));
     for (Eigen::Index column = 0; column < size(); ++column)
