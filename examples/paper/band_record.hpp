@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "break_place.hpp"
 #include "run_plan.hpp"
 #include "shear_bands.hpp"
 
@@ -38,14 +39,7 @@ class BandRecord {
   void record_break(const riprap::BiaxialView<Sim>& view, const riprap::BreakEvent& event) {
     movement_.record_break(view, event);
     if (view.stage != riprap::Stage::shear) return;
-    const auto& particles = view.sim.particles();
-    riprap::Vec2 centroid{0, 0};
-    for (riprap::BodyIndex i = 0; i < particles.size(); ++i)
-      for (std::size_t k = 0; k < 2; ++k)
-        if (particles.ancestry(i).id == event.pieces[k])
-          centroid +=
-              event.areas[k] / (event.areas[0] + event.areas[1]) * particles.body(i).position;
-    waiting_.push_back(centroid.cwiseQuotient(view.stretch));
+    waiting_.push_back(break_place(view, event));
   }
 
   // Adds its part to a run.json that has its breaks already.

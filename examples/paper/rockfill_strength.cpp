@@ -123,7 +123,7 @@ riprap::Chart strength_chart(const std::vector<Group>& groups, const Rock& rock)
   for (const Envelopes& e : envelopes(groups)) {
     const Style style = style_of(e.mode);
     chart.series.push_back(
-        {style.name + ", power law", angles(e.power, range.low, range.high), style.colour});
+        {style.name + ", fitted", angles(e.power, range.low, range.high), style.colour});
   }
   for (std::size_t first = 0; first < groups.size();) {
     const Style style = style_of(groups[first].mode);

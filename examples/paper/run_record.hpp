@@ -11,6 +11,7 @@
 #include <riprap/experiment/curve.hpp>
 #include <riprap/experiment/movement.hpp>
 
+#include "break_place.hpp"
 #include "run_plan.hpp"
 
 namespace study {
@@ -51,15 +52,7 @@ class RunRecord {
   template <class Sim>
   void record_break(const riprap::BiaxialView<Sim>& view, const riprap::BreakEvent& event) {
     movement_.record_break(view, event);
-    const auto& particles = view.sim.particles();
-    riprap::Vec2 centroid{0, 0};
-    for (riprap::BodyIndex i = 0; i < particles.size(); ++i)
-      for (std::size_t k = 0; k < 2; ++k)
-        if (particles.ancestry(i).id == event.pieces[k])
-          centroid +=
-              event.areas[k] / (event.areas[0] + event.areas[1]) * particles.body(i).position;
-    // Where it was before the field began to move it.
-    const double distance = centroid.cwiseQuotient(view.stretch).norm();
+    const double distance = break_place(view, event).norm();
     breaks_.push_back({{"stage", riprap::to_text(view.stage)},
                        {"axial_strain", view.axial_strain()},
                        {"radius_share", distance / radius_},

@@ -164,7 +164,7 @@ TEST_CASE("the chart of strength has points, envelopes and what is published") {
   for (const Vec2& p : wb.points)
     CHECK(std::tan(p.y() * std::numbers::pi / 180) ==
           near_relative(1.5 * std::pow(p.x() * 1e6 / atmospheric_pressure, -0.15), 1e-9));
-  const Series& envelope = series_of(chart, "WB, power law");
+  const Series& envelope = series_of(chart, "WB, fitted");
   CHECK(std::tan(envelope.points[7].y() * std::numbers::pi / 180) ==
         near_relative(1.5 * std::pow(envelope.points[7].x() * 1e6 / atmospheric_pressure, -0.15),
                       1e-9));
