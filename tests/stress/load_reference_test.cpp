@@ -151,6 +151,22 @@ TEST_CASE("for forces that change at fixed places the bound is the change itself
   }
 }
 
+TEST_CASE("a single force along the stiffer axis leaves the sum of norms no room either") {
+  Random random(84);
+  for (int sample = 0; sample < 100; ++sample) {
+    const Loaded before(random);
+    const ElementStress then = before.stress();
+    for (std::size_t c = 0; c < before.loads.size(); ++c)
+      for (const Vec2& axis : {Vec2{1, 0}, Vec2{0, 1}}) {
+        Loaded after = before;
+        after.loads[c].force += before.rotation * (random.uniform(100, 300) * axis);
+        LoadReference reference;
+        before.renew(reference, 0.999 * frobenius(then, after.stress()));
+        CHECK_FALSE(reference.holds(after.loads, after.rotation));
+      }
+  }
+}
+
 TEST_CASE(
     "a reference that is new holds, one that is forgotten or has too many contacts does not") {
   Random random(83);
