@@ -35,7 +35,9 @@ Claim friction_falls(const Results& results, Mode breakable) {
        .figures = {19},
        .text = "Confining pressure lowers the angle of internal friction, with and without "
                "breakage.",
-       .rule = "the largest sin phi falls from 0.5 to 14 MPa, without a step that clearly rises",
+       .rule =
+           "the largest sin phi, averaged over 2 % of strain, falls from 0.5 to 14 MPa, without "
+           "a step that clearly rises",
        .quantity = "change of the largest sin phi",
        .if_holds =
            "Without breakage the rock's strength does not enter: what pressure changes there "
@@ -78,8 +80,10 @@ Claim steeper(const Results& results, Mode breakable) {
                  .figures = {19},
                  .text = "The effect of confining pressure on friction is stronger at higher "
                          "stress.",
-                 .rule = "the largest sin phi falls by more with each doubling of pressure from 4 "
-                         "to 14 MPa than from 0.5 to 4 MPa",
+                 .rule =
+                     "the largest sin phi, averaged over 2 % of strain, falls by more with each "
+                     "doubling of pressure from 4 "
+                     "to 14 MPa than from 0.5 to 4 MPa",
                  .quantity = "difference of the falls with each doubling"},
                 evidence);
 }
@@ -90,7 +94,9 @@ Claim breakage_lowers(const Results& results, Mode breakable) {
        .section = "abstract, 4.4, 5",
        .figures = {19},
        .text = "Breakage lowers the angle of internal friction at all stress levels.",
-       .rule = "the largest sin phi, with less without breakage, below 0 at every pressure",
+       .rule =
+           "the largest sin phi, averaged over 2 % of strain, with less without breakage, below 0 "
+           "at every pressure",
        .quantity = "difference of the largest sin phi",
        .if_in_part = "Where no or few particles break there is nothing that could lower it."},
       differences(results, breakable, Mode::nb, all_pressures(), peak_friction, Claimed::below));

@@ -28,9 +28,11 @@ Requirement friction_falls(const Results& results) {
   const Feature peak = [](const Run& run) { return smooth_peak(run, "sin_phi").value; };
   const double low = mean(results, Mode::nb, 0.5e6, peak);
   const double high = mean(results, Mode::nb, 14e6, peak);
-  return {"Without breakage the largest sin phi falls by at least 0.03 from 0.5 to 14 MPa.",
-          number(low, 3) + " to " + number(high, 3) + ", a fall of " + number(low - high, 3),
-          met(low - high >= 0.03, !std::isnan(low - high))};
+  return {
+      "Without breakage the largest sin phi, averaged over 2 % of strain, falls by at least 0.03 "
+      "from 0.5 to 14 MPa.",
+      number(low, 3) + " to " + number(high, 3) + ", a fall of " + number(low - high, 3),
+      met(low - high >= 0.03, !std::isnan(low - high))};
 }
 
 // With breakage more than without at 8 and 14 MPa.
