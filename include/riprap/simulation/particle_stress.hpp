@@ -41,10 +41,10 @@ class ParticleStress {
   ParticleStress(StressPart model, const Rock& rock) : operators_(std::move(model), rock) {}
 
   /// Sorts the contact forces by particle.
-  template <class Contacts, Execution E = Serial>
-  void gather(const Particles& particles, const Contacts& contacts, const E& execution = {}) {
+  template <class Contacts>
+  void gather(const Particles& particles, const Contacts& contacts) {
     begin_gather(particles);
-    for_each_task(execution, particles.size(),
+    for_each_task(Serial{}, particles.size(),
                   [&](std::size_t task, std::size_t first, std::size_t last) {
                     gather_task(contacts, task, first, last);
                   });
