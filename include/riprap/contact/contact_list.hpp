@@ -33,6 +33,7 @@ struct Contact {
   [[no_unique_address]] Image image{};  ///< the copy of b that a meets, in a periodic plane
   bool touching = false;
   bool at_platen = false;  ///< one of the two is a platen
+  bool across = false;     ///< `image` is not b itself
   Memory memory{};
   // What follows has a meaning only while touching.
   ContactGeometry geometry{};
@@ -101,7 +102,7 @@ class ContactList {
     const Vec2 a = particles.body(contact.a).velocity_at(contact.arm_a);
     Vec2 relative{b.x() - a.x(), b.y() - a.y()};
     if constexpr (Plane::periodic)
-      if (contact.image != Image{}) relative += plane_.velocity(contact.image);
+      if (contact.across) relative += plane_.velocity(contact.image);
     return relative;
   }
 
@@ -110,9 +111,9 @@ class ContactList {
   [[nodiscard]] double image_power() const {
     double sum = 0;
     if constexpr (Plane::periodic)
-      for_each_touching([&](const auto& c) {
-        if (c.image != Image{}) sum -= c.force_on_b().dot(plane_.velocity(c.image));
-      });
+      for (const Task& task : tasks_)
+        for (const std::uint32_t k : task.across)
+          sum -= pairs_[k].force_on_b().dot(plane_.velocity(pairs_[k].image));
     return sum;
   }
 
@@ -177,7 +178,7 @@ class ContactList {
 
   [[nodiscard]] Vec2 image_offset(const ContactType& contact) const {
     if constexpr (Plane::periodic)
-      if (contact.image != Image{}) return plane_.offset(contact.image);
+      if (contact.across) return plane_.offset(contact.image);
     return {0, 0};
   }
   // The contact point where b itself is, not its image.
@@ -227,6 +228,11 @@ class ContactList {
     }
     std::swap(pairs_, next_pairs_);
     std::swap(apart_until_, next_apart_until_);
+    for (ContactType& pair : pairs_) {
+      pair.across = pair.image != Image{};
+      pair.at_platen = particles.body(pair.a).motion == Motion::platen ||
+                       particles.body(pair.b).motion == Motion::platen;
+    }
     share_out(particles.size());
   }
 
@@ -244,6 +250,8 @@ class ContactList {
     std::size_t touching = 0;  // how many of its pairs
     // The pairs of tasks before it that have a body of its own, in order.
     std::vector<std::uint32_t> of_others{};
+    // Those of its own that touch across the border of a periodic plane.
+    std::vector<std::uint32_t> across{};
     double slipped = 0;
     double damped = 0;
     std::vector<Deferred> deferred{};
@@ -293,6 +301,7 @@ class ContactList {
     const double travelled = neighbours_.travel().so_far();
     const bool far = pairs_.size() > cached_pairs;
     std::size_t last = task.first_pair;
+    task.across.clear();
     for (std::size_t k = task.first_pair; k < task.last_pair; ++k) {
       if (far && k + ahead < task.last_pair && travelled >= apart_until_[k + ahead])
         fetch(pairs_[k + ahead]);
@@ -304,6 +313,8 @@ class ContactList {
         contact.geometry = *geometry;
         apart_until_[k] = unknown;
         touching_[last++] = static_cast<std::uint32_t>(k);
+        if constexpr (Plane::periodic)
+          if (contact.across) task.across.push_back(static_cast<std::uint32_t>(k));
       } else if constexpr (requires { narrow_.clearance(contact.memory); }) {
         apart_until_[k] = neighbours_.travel().until_closed(narrow_.clearance(contact.memory));
       }
@@ -317,7 +328,7 @@ class ContactList {
                                                     const Particles& particles) const {
     const Ring ring = particles.ring(contact.b);
     if constexpr (Plane::periodic) {
-      if (contact.image != Image{}) {
+      if (contact.across) {
         const Vec2 offset = plane_.offset(contact.image);
         std::array<Vec2, max_polygon_vertices> image;
         for (std::size_t k = 0; k < ring.size(); ++k) image[k] = ring[k] + offset;
@@ -372,7 +383,6 @@ class ContactList {
     const Vec2 at_b = point_at_b(contact);
     contact.arm_a = {at_a.x() - a.position.x(), at_a.y() - a.position.y()};
     contact.arm_b = {at_b.x() - b.position.x(), at_b.y() - b.position.y()};
-    contact.at_platen = a.motion == Motion::platen || b.motion == Motion::platen;
     if (contact.at_platen) (a.motion == Motion::platen ? contact.arm_a : contact.arm_b) = {0, 0};
   }
 

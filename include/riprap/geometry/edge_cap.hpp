@@ -23,12 +23,39 @@ struct EdgeCap {
   double chord = 0;   ///< its length [m]
 };
 
-/// Where a cap is: vertices `first` to `first + count - 1` of the entering ring lie beyond the
-/// edge, one or two of them.
+/// Where a cap is: one or two neighbouring vertices of the entering ring lie beyond an edge of the
+/// other. All vertices that have a part in it, by their numbers, so that a pair that stays as it is
+/// need not look for them again (25 instructions of a contact).
 struct EntryPlace {
-  std::uint8_t edge = 0;
-  std::uint8_t first = 0;
-  std::uint8_t count = 1;
+  std::uint8_t ring_size = 0;   ///< of the ring with the edge; 0: nowhere
+  std::uint8_t other_size = 0;  ///< of the ring that enters
+  std::uint8_t edge = 0;        ///< where it begins
+  std::uint8_t edge_end = 0;
+  std::uint8_t across = 0;  ///< vertex of the ring opposite to the edge
+  std::uint8_t first = 0;   ///< of the entering ring, beyond the edge
+  std::uint8_t last = 0;    ///< the same as `first`, or the next
+  std::uint8_t before = 0;  ///< its neighbours, on this side of the edge
+  std::uint8_t after = 0;
+
+  EntryPlace() = default;
+  /// Vertices `first` to `first + count - 1` of a ring of `other_size` lie beyond the edge that
+  /// begins at vertex `edge` of a ring of `ring_size`.
+  EntryPlace(std::size_t ring_size, std::size_t edge, std::size_t other_size, std::size_t first,
+             std::size_t count)
+      : ring_size(number(ring_size)), other_size(number(other_size)), edge(number(edge)),
+        edge_end(number(next_vertex(edge, ring_size))),
+        across(number((edge + ring_size / 2 + 1) % ring_size)), first(number(first)),
+        last(count == 1 ? number(first) : number(next_vertex(first, other_size))),
+        before(number(previous_vertex(first, other_size))),
+        after(number(next_vertex(last, other_size))) {}
+
+  /// Whether rings are of the sizes that it was made for.
+  [[nodiscard]] bool fits(Ring ring, Ring other) const {
+    return ring.size() == ring_size && other.size() == other_size;
+  }
+
+ private:
+  [[nodiscard]] static std::uint8_t number(std::size_t k) { return static_cast<std::uint8_t>(k); }
 };
 
 /// The cap of `other` at a place, if it is all that the two convex rings have in common: the
@@ -41,14 +68,12 @@ struct EntryPlace {
 [[nodiscard]] inline std::optional<EdgeCap> edge_cap(Ring ring, Ring other,
                                                      const EntryPlace& place) {
   constexpr double margin = 1e-8;
-  const std::size_t n = other.size();
   const Vec2& p = ring[place.edge];
-  const Vec2& q = ring[next_vertex(place.edge, ring.size())];
-  const std::size_t last = place.count == 1 ? place.first : next_vertex(place.first, n);
+  const Vec2& q = ring[place.edge_end];
   const Vec2& in_1 = other[place.first];
-  const Vec2& in_2 = other[last];
-  const Vec2& before = other[previous_vertex(place.first, n)];
-  const Vec2& after = other[next_vertex(last, n)];
+  const Vec2& in_2 = other[place.last];
+  const Vec2& before = other[place.before];
+  const Vec2& after = other[place.after];
 
   // Where the boundary goes in and where it comes out, side by side: half the instructions.
   using Pair = Eigen::Array2d;
@@ -72,7 +97,7 @@ struct EntryPlace {
   if (!(std::min(across, on_edge) > clear)) return std::nullopt;
 
   const double length = std::sqrt(squared);
-  const TriangleAcross triangle(ring, place.edge, edge, 2 * margin);
+  const TriangleAcross triangle(ring[place.across], edge, 2 * margin);
   const auto inside = [&](const Vec2& v, double depth) {
     return triangle.holds(v, depth) || inside_other_edges(ring, place.edge, v, margin * length);
   };
@@ -83,7 +108,7 @@ struct EntryPlace {
               .middle = {p.x() + middle * edge.x, p.y() + middle * edge.y},
               .depth = deep[0] * scale,
               .chord = (entered - left) * scale};
-  if (place.count == 1) {
+  if (place.first == place.last) {
     cap.area = 0.5 * cap.chord * cap.depth;
   } else {
     if (!inside(in_2, deep[1])) return std::nullopt;

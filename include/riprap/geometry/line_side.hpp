@@ -48,13 +48,9 @@ struct LineSide {
 /// the ring near the edge, and to ask it costs a third of asking all edges.
 struct TriangleAcross {
   /// @param margin of its sides, as a share of their lengths
-  TriangleAcross(Ring ring, std::size_t i, const LineSide& edge, double margin)
-      : from_x(edge.from_x), from_y(edge.from_y) {
-    const std::size_t n = ring.size();
-    const std::size_t across = i + n / 2 + 1;
-    const Vec2& c = ring[across < n ? across : across - n];
-    x = c.x() - from_x;
-    y = c.y() - from_y;
+  TriangleAcross(const Vec2& across, const LineSide& edge, double margin)
+      : x(across.x() - edge.from_x), y(across.y() - edge.from_y), from_x(edge.from_x),
+        from_y(edge.from_y) {
     twice_area = edge.x * y - edge.y * x;
     const double reach = std::abs(x) + std::abs(y) + edge.length_bound();
     clear = margin * reach * reach;

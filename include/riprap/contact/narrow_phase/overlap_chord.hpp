@@ -69,14 +69,14 @@ struct OverlapChord {
                                                              const EntryPlace& entry) {
     const Ring ring = of_b ? b : a;
     const Ring other = of_b ? a : b;
-    if (entry.edge >= ring.size() || entry.first >= other.size()) return std::nullopt;
+    if (!entry.fits(ring, other)) return std::nullopt;
     const auto cap = edge_cap(ring, other, entry);
     if (!cap) return std::nullopt;
     const double sign = of_b ? -1 : 1;
     return ContactGeometry{
         .normal = {sign * cap->normal.x(), sign * cap->normal.y()},
         .point = cap->middle,
-        .depth = entry.count == 1 ? cap->depth : std::min(cap->depth, 2 * cap->area / cap->chord),
+        .depth = entry.first == entry.last ? cap->depth : std::min(cap->depth, 2 * cap->area / cap->chord),
         .area = cap->area,
         .chord = cap->chord};
   }
