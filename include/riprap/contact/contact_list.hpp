@@ -301,26 +301,83 @@ class ContactList {
     const double travelled = neighbours_.travel().so_far();
     const bool far = pairs_.size() > cached_pairs;
     std::size_t last = task.first_pair;
+    bool all_touch = true;
+    [[maybe_unused]] Waiting waiting;
     task.across.clear();
     for (std::size_t k = task.first_pair; k < task.last_pair; ++k) {
       if (far && k + ahead < task.last_pair && travelled >= apart_until_[k + ahead])
         fetch(pairs_[k + ahead]);
       if (travelled < apart_until_[k]) continue;
       ContactType& contact = pairs_[k];
-      const std::optional<ContactGeometry> geometry = meet(contact, particles);
-      if (geometry) {
-        if (!contact.touching) contact.history = typename Law::History{};
-        contact.geometry = *geometry;
-        apart_until_[k] = unknown;
-        touching_[last++] = static_cast<std::uint32_t>(k);
-        if constexpr (Plane::periodic)
-          if (contact.across) task.across.push_back(static_cast<std::uint32_t>(k));
-      } else if constexpr (requires { narrow_.clearance(contact.memory); }) {
-        apart_until_[k] = neighbours_.travel().until_closed(narrow_.clearance(contact.memory));
+      if constexpr (grouped) {
+        if (waiting.add(k, contact, particles)) {
+          touching_[last++] = static_cast<std::uint32_t>(k);
+          if (waiting.full()) all_touch &= find_group(waiting, particles);
+          continue;
+        }
       }
-      contact.touching = geometry.has_value();
+      if (!find_contact(k, particles)) continue;
+      touching_[last++] = static_cast<std::uint32_t>(k);
+      if constexpr (Plane::periodic)
+        if (contact.across) task.across.push_back(static_cast<std::uint32_t>(k));
+    }
+    if constexpr (grouped) {
+      for (std::size_t l = 0; l < waiting.group.size(); ++l)
+        all_touch &= find_contact(waiting.pairs[l], particles);
     }
     task.touching = last - task.first_pair;
+    if (!all_touch) drop_parted(task);
+  }
+
+  // Of pairs in a group it was taken for granted that they still touch.
+  void drop_parted(Task& task) {
+    const auto first = touching_.begin() + static_cast<std::ptrdiff_t>(task.first_pair);
+    const auto last = std::remove_if(first, first + static_cast<std::ptrdiff_t>(task.touching),
+                                     [this](std::uint32_t k) { return !pairs_[k].touching; });
+    task.touching = static_cast<std::size_t>(last - first);
+  }
+
+  // True if pair k touches.
+  bool find_contact(std::size_t k, const Particles& particles) {
+    ContactType& contact = pairs_[k];
+    const std::optional<ContactGeometry> geometry = meet(contact, particles);
+    if (geometry) {
+      if (!contact.touching) contact.history = typename Law::History{};
+      contact.geometry = *geometry;
+      apart_until_[k] = unknown;
+    } else if constexpr (requires { narrow_.clearance(contact.memory); }) {
+      apart_until_[k] = neighbours_.travel().until_closed(narrow_.clearance(contact.memory));
+    }
+    contact.touching = geometry.has_value();
+    return contact.touching;
+  }
+
+  // Pairs that wait until they are enough for a narrow phase that takes several at once.
+  static constexpr bool grouped = requires { typename Narrow::Group; };
+  struct Group {
+    typename Narrow::Group group;
+    std::array<std::size_t, Narrow::Group::capacity> pairs;
+
+    // Images have no ring of their own in memory.
+    [[nodiscard]] bool add(std::size_t k, ContactType& contact, const Particles& particles) {
+      if (contact.across || !contact.touching) return false;
+      pairs[group.size()] = k;
+      return group.add(particles.ring(contact.a), particles.ring(contact.b), contact.memory,
+                       contact.geometry);
+    }
+    [[nodiscard]] bool full() const { return group.size() == pairs.size(); }
+  };
+  struct NoGroup {};
+  using Waiting = std::conditional_t<grouped, Group, NoGroup>;
+
+  // True if all still touch.
+  bool find_group(Waiting& waiting, const Particles& particles) {
+    const unsigned found = waiting.group.find();
+    waiting.group.clear();
+    bool all_touch = true;
+    for (std::size_t l = 0; l < waiting.pairs.size(); ++l)
+      if ((found >> l & 1U) == 0) all_touch &= find_contact(waiting.pairs[l], particles);
+    return all_touch;
   }
 
   // What the narrow phase says of a and of b, or its image.

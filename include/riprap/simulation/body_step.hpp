@@ -63,8 +63,10 @@ class BodyStep {
         drift(body, time_step_);
         book_driven(body, kick_time, work);
       }
-      particles.update_ring(i);
     }
+    // In a loop of its own: a body's new pose comes out of a long chain of operations, and rings
+    // that wait for it leave no room for the next body's.
+    for (BodyIndex i = first; i < last; ++i) particles.update_ring(i);
     return work;
   }
 
