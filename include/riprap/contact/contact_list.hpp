@@ -25,6 +25,12 @@
 
 namespace riprap {
 
+/// What is kept of a contact's force from step to step.
+struct KeptForce {
+  double normal = 0;      ///< along the normal [N], pushing: positive
+  double tangential = 0;  ///< along the tangent [N]
+};
+
 /// A pair of neighbours and, while they touch, their contact.
 template <class History, class Memory, class Image = OpenPlane::Image>
 struct Contact {
@@ -38,7 +44,7 @@ struct Contact {
   // What follows has a meaning only while touching.
   ContactGeometry geometry{};
   History history{};
-  ContactForce force{};
+  KeptForce force{};
   /// Contact point minus centroid of a, when the force was evaluated [m]; zero for a platen, which
   /// begins where it is touched.
   Vec2 arm_a{0, 0};
@@ -412,9 +418,10 @@ class ContactList {
                                  .tangential_velocity = contact.at_platen ? 0 : along,
                                  .time_step = time_step,
                                  .effective_mass = effective_mass(a, b)};
-      contact.force = law_(contact.geometry, motion, contact.history);
-      task.slipped += contact.force.slipped;
-      task.damped += contact.force.damped;
+      const ContactForce force = law_(contact.geometry, motion, contact.history);
+      contact.force = {force.normal, force.tangential};
+      task.slipped += force.slipped;
+      task.damped += force.damped;
       const Vec2 on_b = contact.force_on_b();
       a.contact.subtract(on_b, cross(contact.arm_a, on_b));
       const double moment = cross(contact.arm_b, on_b);

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 #include <riprap/core/vec2.hpp>
 #include <riprap/geometry/line_side.hpp>
@@ -68,49 +70,28 @@ struct CapQuestion {
 
 /// Several caps side by side, number by number: as many as a vector register has doubles. Each lane
 /// is computed as if it were alone, so that results do not depend on their number.
-struct EdgeCaps {
 #ifdef __AVX__
-  static constexpr std::size_t count = 4;
+inline constexpr std::size_t cap_lanes = 4;
 #else
-  static constexpr std::size_t count = 2;
+inline constexpr std::size_t cap_lanes = 2;
 #endif
-  using Numbers = Eigen::Array<double, count, 1>;
-
-  Numbers normal_x, normal_y;
-  Numbers middle_x, middle_y;
-  Numbers depth;
-  Numbers area;
-  Numbers chord;
-  Numbers single;                 ///< 1 where one vertex lies beyond the edge, 0 where two do
-  unsigned found;                  ///< bit l: lane l is a cap; else its numbers mean nothing
-
-  [[nodiscard]] bool has(std::size_t l) const { return (found >> l & 1U) != 0; }
-
-  [[nodiscard]] EdgeCap operator[](std::size_t l) const {
-    const auto k = static_cast<Eigen::Index>(l);
-    return {.normal = {normal_x[k], normal_y[k]},
-            .middle = {middle_x[k], middle_y[k]},
-            .depth = depth[k],
-            .area = area[k],
-            .chord = chord[k]};
-  }
-};
+using CapQuestions = std::array<CapQuestion, cap_lanes>;
 
 namespace internal {
 
-using CapQuestions = std::array<CapQuestion, EdgeCaps::count>;
+using CapLanes = Eigen::Array<double, cap_lanes, 1>;
 
 // A vertex of every question, from some origin. Always inlined: handed on through memory they would
 // cost what is saved.
 struct VertexLanes {
-  EdgeCaps::Numbers x, y;
+  CapLanes x, y;
 
   [[gnu::always_inline]] VertexLanes(const CapQuestions& questions, const Vec2* CapQuestion::*ring,
                                      std::uint8_t EntryPlace::*vertex) {
     const auto at = [&](std::size_t l) __attribute__((always_inline)) -> const Vec2& {
       return (questions[l].*ring)[questions[l].place->*vertex];
     };
-    if constexpr (EdgeCaps::count == 2) {
+    if constexpr (cap_lanes == 2) {
       x = {at(0).x(), at(1).x()};
       y = {at(0).y(), at(1).y()};
     } else {
@@ -126,10 +107,10 @@ struct VertexLanes {
 // length.
 struct CrossingLanes {
   VertexLanes inside;              // the vertex beyond the edge
-  EdgeCaps::Numbers deep;          // how far it lies beyond
-  EdgeCaps::Numbers high;          // how far its neighbour lies on this side
-  EdgeCaps::Numbers inside_along;  // along the edge, from its start
-  EdgeCaps::Numbers along;         // the crossing, likewise
+  CapLanes deep;          // how far it lies beyond
+  CapLanes high;          // how far its neighbour lies on this side
+  CapLanes inside_along;  // along the edge, from its start
+  CapLanes along;         // the crossing, likewise
 
   [[gnu::always_inline]] CrossingLanes(const CapQuestions& questions, const VertexLanes& start,
                                        const VertexLanes& edge, std::uint8_t EntryPlace::*beyond,
@@ -139,7 +120,7 @@ struct CrossingLanes {
     deep = edge.x * inside.y - edge.y * inside.x;
     high = edge.y * outside.x - edge.x * outside.y;
     inside_along = edge.x * inside.x + edge.y * inside.y;
-    const EdgeCaps::Numbers outside_along = edge.x * outside.x + edge.y * outside.y;
+    const CapLanes outside_along = edge.x * outside.x + edge.y * outside.y;
     along = inside_along + deep / (deep + high) * (outside_along - inside_along);
   }
 };
@@ -160,8 +141,10 @@ struct CrossingLanes {
 /// searched. Found only where all that is so by a clear margin, 1e-8 of the edge's length: far
 /// above the round-off of coordinates, so that exact arithmetic would agree. Only where a long side
 /// nearly grazes a short edge can the crossing's own error be larger.
-inline void find_edge_caps(const internal::CapQuestions& questions, EdgeCaps& caps) {
-  using Numbers = EdgeCaps::Numbers;
+/// @param found called with the number of every question that has a cap, and the cap
+template <class Found>
+[[gnu::flatten]] void find_edge_caps(const CapQuestions& questions, Found&& found) {
+  using Numbers = internal::CapLanes;
   using internal::CrossingLanes;
   using internal::VertexLanes;
   constexpr double margin = 1e-8;
@@ -191,42 +174,44 @@ inline void find_edge_caps(const internal::CapQuestions& questions, EdgeCaps& ca
   const Numbers length = squared.sqrt();
   const Numbers scale = length.inverse();
   const Numbers middle = 0.5 * (in.along + out.along) * scale * scale;
-  caps.normal_x = edge.y * scale;
-  caps.normal_y = -edge.x * scale;
-  caps.middle_x = start.x + middle * edge.x;
-  caps.middle_y = start.y + middle * edge.y;
-  caps.depth = in.deep.max(out.deep) * scale;
-  caps.chord = width * scale;
-  const auto single = [&](std::size_t l) __attribute__((always_inline)) {
-    return questions[l].place->one_vertex() ? 1.0 : 0.0;
-  };
-  if constexpr (EdgeCaps::count == 2)
-    caps.single = {single(0), single(1)};
-  else
-    caps.single = {single(0), single(1), single(2), single(3)};
+  const Numbers normal_x = edge.y * scale;
+  const Numbers normal_y = -edge.x * scale;
+  const Numbers middle_x = start.x + middle * edge.x;
+  const Numbers middle_y = start.y + middle * edge.y;
+  const Numbers depth = in.deep.max(out.deep) * scale;
+  const Numbers chord = width * scale;
   const Numbers quadrangle =
       0.5 * scale * scale *
       ((in.inside_along - out.along) * out.deep + (in.along - out.inside_along) * in.deep);
-  caps.area = caps.single * (0.5 * caps.chord * caps.depth) + (1 - caps.single) * quadrangle;
-  caps.found = 0;
-  for (std::size_t l = 0; l < EdgeCaps::count; ++l) {
-    const auto k = static_cast<Eigen::Index>(l);
-    if (least[k] > clear[k] &&
-        (inside[k] > 0 || internal::inside_all(questions[l], margin * length[k])))
-      caps.found |= 1U << l;
-  }
+  const auto tell = [&]<Eigen::Index k>(std::integral_constant<Eigen::Index, k>)
+                        __attribute__((always_inline)) {
+    constexpr auto l = static_cast<std::size_t>(k);
+    if (!(least[k] > clear[k] &&
+          (inside[k] > 0 || internal::inside_all(questions[l], margin * length[k]))))
+      return;
+    found(l, EdgeCap{.normal = {normal_x[k], normal_y[k]},
+                     .middle = {middle_x[k], middle_y[k]},
+                     .depth = depth[k],
+                     .area = questions[l].place->one_vertex() ? 0.5 * chord[k] * depth[k]
+                                                              : quadrangle[k],
+                     .chord = chord[k]});
+  };
+  [&]<std::size_t... l>(std::index_sequence<l...>) __attribute__((always_inline)) {
+    (tell(std::integral_constant<Eigen::Index, l>{}), ...);
+  }(std::make_index_sequence<cap_lanes>{});
 }
 
 /// The cap of a single question, or nothing.
 [[nodiscard]] inline std::optional<EdgeCap> edge_cap(Ring ring, Ring other,
                                                      const EntryPlace& place) {
   if (!place.fits(ring, other)) return std::nullopt;
-  std::array<CapQuestion, EdgeCaps::count> questions;
+  CapQuestions questions;
   questions.fill({ring.data(), other.data(), &place});
-  EdgeCaps caps;
-  find_edge_caps(questions, caps);
-  if (!caps.has(0)) return std::nullopt;
-  return caps[0];
+  std::optional<EdgeCap> cap;
+  find_edge_caps(questions, [&](std::size_t l, const EdgeCap& one) {
+    if (l == 0) cap = one;
+  });
+  return cap;
 }
 
 }  // namespace riprap

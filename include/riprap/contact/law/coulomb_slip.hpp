@@ -23,7 +23,8 @@ struct CoulombSlip {
                                               double time_step, double cap) {
   const double trial = before - stiffness * velocity * time_step;
   CoulombSlip result{.force = std::clamp(trial, -cap, cap)};
-  if (stiffness > 0)
+  // Most contacts stick: they need not wait for a quotient.
+  if (stiffness > 0 && trial != result.force)
     result.slipped = std::abs(0.5 * (before + result.force) * (trial - result.force)) / stiffness;
   return result;
 }

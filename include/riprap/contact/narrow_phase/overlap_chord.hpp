@@ -57,7 +57,7 @@ struct OverlapChord {
   /// registers. That takes half the instructions of one after the other.
   class Group {
    public:
-    static constexpr std::size_t capacity = EdgeCaps::count;
+    static constexpr std::size_t capacity = cap_lanes;
 
     [[nodiscard]] std::size_t size() const { return size_; }
     void clear() { size_ = 0; }
@@ -77,13 +77,12 @@ struct OverlapChord {
     /// Finds the contacts of a full group. False for pairs that have none of their old kind: they
     /// have to be asked alone.
     [[nodiscard]] unsigned find() const {
-      EdgeCaps caps;
-      find_edge_caps(questions_, caps);
-      const EdgeCaps::Numbers depth = contact_depth(caps);
-      for (std::size_t l = 0; l < capacity; ++l)
-        if (caps.has(l))
-          *contacts_[l] = contact_at(caps[l], depth[static_cast<Eigen::Index>(l)], signs_[l]);
-      return caps.found;
+      unsigned found = 0;
+      find_edge_caps(questions_, [&](std::size_t l, const EdgeCap& cap) {
+        *contacts_[l] = contact_at(cap, questions_[l].place->one_vertex(), signs_[l]);
+        found |= 1U << l;
+      });
+      return found;
     }
 
    private:
@@ -108,25 +107,21 @@ struct OverlapChord {
     return 1e-8 * (across(a) + across(b));
   }
 
-  [[nodiscard]] static EdgeCaps::Numbers contact_depth(const EdgeCaps& caps) {
-    // Of a triangle the two are equal but for round-off.
-    constexpr double whatever = std::numeric_limits<double>::max();
-    return caps.depth.min(2 * caps.area / caps.chord + whatever * caps.single);
-  }
-  [[nodiscard]] static ContactGeometry contact_at(const EdgeCap& cap, double depth, double sign) {
+  // @param sign of the normal: -1 for an edge of b
+  [[nodiscard]] static ContactGeometry contact_at(const EdgeCap& cap, bool one_vertex,
+                                                  double sign) {
     return {.normal = {sign * cap.normal.x(), sign * cap.normal.y()},
             .point = cap.middle,
-            .depth = depth,
+            .depth = one_vertex ? cap.depth : std::min(cap.depth, 2 * cap.area / cap.chord),
             .area = cap.area,
             .chord = cap.chord};
   }
-  [[nodiscard]] static std::optional<ContactGeometry> at_cap(Ring a, Ring b, const Memory& memory) {
-    std::optional<ContactGeometry> contact(std::in_place);
-    Group group;
-    while (group.size() < Group::capacity)
-      if (!group.add(a, b, memory, *contact)) return std::nullopt;
-    if ((group.find() & 1U) == 0) contact.reset();
-    return contact;
+  [[nodiscard]] static std::optional<ContactGeometry> at_cap(Ring a, Ring b,
+                                                             const Memory& memory) {
+    const EntryPlace& entry = memory.entry;
+    const auto cap = memory.of_b ? edge_cap(b, a, entry) : edge_cap(a, b, entry);
+    if (!cap) return std::nullopt;
+    return contact_at(*cap, entry.one_vertex(), memory.of_b ? -1 : 1);
   }
 
   [[nodiscard]] static std::optional<ContactGeometry> at_lens(Ring a, Ring b, std::size_t corner_a,
