@@ -51,10 +51,13 @@ struct Rotation {
     const double scale = 1 / (1 + h * h);
     const double c = (1 - h * h) * scale;
     const double s = 2 * h * scale;
-    const Rotation next{cosine * c - sine * s, sine * c + cosine * s};
+    // As pairs: the other way compilers do some of it twice.
+    const Eigen::Array2d now(cosine, sine);
+    const Eigen::Array2d next = now * c + now.reverse() * Eigen::Array2d(-s, s);
     // One Newton step towards unit length keeps round-off from growing over millions of steps.
-    const double unit = 1.5 - 0.5 * (next.cosine * next.cosine + next.sine * next.sine);
-    return {next.cosine * unit, next.sine * unit};
+    const double unit = 1.5 - 0.5 * (next[0] * next[0] + next[1] * next[1]);
+    const Eigen::Array2d length_one = next * unit;
+    return {length_one[0], length_one[1]};
   }
 };
 
