@@ -24,7 +24,7 @@ struct CoulombSlip {
   const double trial = before - stiffness * velocity * time_step;
   CoulombSlip result{.force = std::clamp(trial, -cap, cap)};
   // Most contacts stick: they need not wait for a quotient.
-  if (stiffness > 0 && trial != result.force)
+  if (stiffness > 0 && std::abs(trial) > cap)
     result.slipped = std::abs(0.5 * (before + result.force) * (trial - result.force)) / stiffness;
   return result;
 }
