@@ -447,8 +447,8 @@ class ContactList {
   void find_arms(ContactType& contact, const Body& a, const Body& b) const {
     const Vec2& at_a = contact.geometry.point;
     const Vec2 at_b = point_at_b(contact);
-    contact.arm_a = {at_a.x() - a.position.x(), at_a.y() - a.position.y()};
-    contact.arm_b = {at_b.x() - b.position.x(), at_b.y() - b.position.y()};
+    contact.arm_a = at_a - a.position;
+    contact.arm_b = at_b - b.position;
     if (contact.at_platen) (a.motion == Motion::platen ? contact.arm_a : contact.arm_b) = {0, 0};
   }
 
