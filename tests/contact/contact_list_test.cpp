@@ -580,3 +580,29 @@ TEST_CASE("a contact list refuses a law that breaks its rules") {
                        "LinearSpringCoulomb.normal_stiffness = -1: must be a finite number above 0",
                        InvalidInput);
 }
+
+TEST_CASE("of tips in a floor, found together, those that are lifted touch no longer") {
+  constexpr int tips = 9;
+  const auto lifted = [](int k) { return k % 3 == 1; };
+  Particles particles(1, 2500);
+  const BodyIndex floor = particles.add(rectangle({5, -1}, 14, 2), Motion::prescribed);
+  for (int k = 0; k < tips; ++k)
+    particles.add(ConvexPolygon{{1.2 * k, -1e-3}, {1.2 * k + 0.5, 1}, {1.2 * k - 0.5, 1}},
+                  Motion::free);
+  List list = list_with_skin(0.1);
+  list.update(particles, 0);
+  list.update(particles, 1e-6);  // now every pair knows its cap
+  CHECK(touching_count(list) == tips);
+  for (int k = 0; k < tips; ++k)
+    if (lifted(k)) {
+      const auto i = static_cast<BodyIndex>(k + 1);
+      put(particles, i, particles.body(i).position + Vec2{0, 2e-3});
+    }
+  list.update(particles, 1e-6);
+  CHECK(touching_count(list) == tips - 3);
+  list.for_each_touching([&](const auto& c) {
+    CHECK(c.a == floor);
+    CHECK(!lifted(static_cast<int>(c.b) - 1));
+    CHECK(c.geometry.depth == near_relative(1e-3, 1e-12));
+  });
+}

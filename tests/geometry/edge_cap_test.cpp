@@ -2,7 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <riprap/core/random.hpp>
@@ -22,7 +24,7 @@ constexpr double margin = 4 * 1e-8;  // of the floor's edge
 // At the upper edge of the floor, where the first vertices of the other ring are.
 std::optional<EdgeCap> cap_of(const ConvexPolygon& floor, const ConvexPolygon& other,
                               std::uint8_t count = 1) {
-  return edge_cap(floor.ring(), other.ring(), {.edge = 2, .first = 0, .count = count});
+  return edge_cap(floor.ring(), other.ring(), entry_place(floor.size(), 2, other.size(), 0, count));
 }
 
 // The only edge of an overlap that is a's.
@@ -92,7 +94,8 @@ TEST_CASE("where there is a cap, it is what clipping finds") {
     for (std::uint8_t i = 0; i < a.size(); ++i)
       for (std::uint8_t first = 0; first < b.size(); ++first)
         for (const std::uint8_t count : {std::uint8_t{1}, std::uint8_t{2}}) {
-          const auto cap = edge_cap(a.ring(), b.ring(), {i, first, count});
+          const auto cap =
+              edge_cap(a.ring(), b.ring(), entry_place(a.size(), i, b.size(), first, count));
           if (!cap) continue;
           ++caps[count - 1];
           const OverlapPolygon common = overlap(a.ring(), b.ring(), {0, 0}, 0);
@@ -106,4 +109,42 @@ TEST_CASE("where there is a cap, it is what clipping finds") {
   }
   CHECK(caps[0] > 200);
   CHECK(caps[1] > 20);
+}
+
+TEST_CASE("caps found side by side are those found alone") {
+  const ConvexPolygon tip{{0.5, -0.25}, {1.5, 0.75}, {-0.5, 0.75}};
+  const ConvexPolygon block{{-1, -0.1}, {1, -0.3}, {1, 1}, {-1, 1}};
+  const ConvexPolygon above{{0, 0.1}, {1, 1}, {-1, 1}};
+  struct Entering {
+    const ConvexPolygon& polygon;
+    EntryPlace place;
+    std::optional<EdgeCap> alone;
+  };
+  const auto entering = [](const ConvexPolygon& polygon, std::size_t count) {
+    const EntryPlace place = entry_place(floor_below.size(), 2, polygon.size(), 0, count);
+    return Entering{polygon, place, edge_cap(floor_below.ring(), polygon.ring(), place)};
+  };
+  const Entering kinds[] = {entering(tip, 1), entering(block, 2), entering(above, 1)};
+  REQUIRE(kinds[0].alone);
+  REQUIRE(kinds[1].alone);
+  REQUIRE(!kinds[2].alone);
+  for (std::size_t shift = 0; shift < 3; ++shift) {
+    CapQuestions questions;
+    const auto kind = [&](std::size_t l) -> const Entering& { return kinds[(l + shift) % 3]; };
+    for (std::size_t l = 0; l < cap_lanes; ++l)
+      questions[l] = {floor_below.ring().data(), kind(l).polygon.ring().data(), &kind(l).place};
+    std::array<std::optional<EdgeCap>, cap_lanes> caps;
+    find_edge_caps(questions, [&](std::size_t l, const EdgeCap& cap) { caps[l] = cap; });
+    for (std::size_t l = 0; l < cap_lanes; ++l) {
+      const std::optional<EdgeCap>& alone = kind(l).alone;
+      REQUIRE(caps[l].has_value() == alone.has_value());
+      if (!alone) continue;
+      CHECK(caps[l]->normal == alone->normal);
+      CHECK(caps[l]->middle == alone->middle);
+      CHECK(caps[l]->depth == alone->depth);
+      CHECK(caps[l]->area == alone->area);
+      CHECK(caps[l]->chord == alone->chord);
+      CHECK(caps[l]->one_vertex == alone->one_vertex);
+    }
+  }
 }

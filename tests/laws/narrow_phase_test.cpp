@@ -58,6 +58,23 @@ struct TrustsMemory {
   }
 };
 
+/// Wrong about pairs in groups.
+struct GroupedBadly : OverlapChord {
+  struct Group : OverlapChord::Group {
+    using Of = GroupedBadly;
+    ContactGeometry* last = nullptr;
+    bool add(Ring a, Ring b, const Memory& memory, ContactGeometry& contact) {
+      last = &contact;
+      return OverlapChord::Group::add(a, b, memory, contact);
+    }
+  };
+  unsigned find(const Group& group) const {
+    const unsigned found = OverlapChord::find(group);
+    group.last->depth *= 1 + 1e-15;
+    return found;
+  }
+};
+
 }  // namespace
 
 TEST_CASE("the narrow phases of riprap obey the axioms") {
@@ -125,4 +142,8 @@ TEST_CASE("a narrow phase whose memory decides is found out") {
 TEST_CASE("a narrow phase with a length of its own is found out in other units") {
   check_violated(narrow_phase_unit_violations(SoftSkin{}, SoftSkin{}),
                  "a contact is the same in other units");
+}
+
+TEST_CASE("a narrow phase that answers groups differently is found out") {
+  check_violated(narrow_phase_violations(GroupedBadly{}), "a group changes no answer");
 }

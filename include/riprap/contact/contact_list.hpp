@@ -14,9 +14,11 @@
 #include <utility>
 #include <vector>
 
+#include <riprap/contact/contact.hpp>
 #include <riprap/contact/law/concepts.hpp>
 #include <riprap/contact/narrow_phase/concepts.hpp>
 #include <riprap/contact/neighbour_search.hpp>
+#include <riprap/contact/pair_group.hpp>
 #include <riprap/contact/plane.hpp>
 #include <riprap/core/execution/serial.hpp>
 #include <riprap/core/step_part.hpp>
@@ -24,40 +26,6 @@
 #include <riprap/particle/particles.hpp>
 
 namespace riprap {
-
-/// What is kept of a contact's force from step to step.
-struct KeptForce {
-  double normal = 0;      ///< along the normal [N], pushing: positive
-  double tangential = 0;  ///< along the tangent [N]
-};
-
-/// A pair of neighbours and, while they touch, their contact.
-template <class History, class Memory, class Image = OpenPlane::Image>
-struct Contact {
-  BodyIndex a = 0;  ///< a < b
-  BodyIndex b = 0;
-  [[no_unique_address]] Image image{};  ///< the copy of b that a meets, in a periodic plane
-  bool touching = false;
-  bool at_platen = false;  ///< one of the two is a platen
-  bool across = false;     ///< `image` is not b itself
-  Memory memory{};
-  // What follows has a meaning only while touching.
-  ContactGeometry geometry{};
-  History history{};
-  KeptForce force{};
-  /// Contact point minus centroid of a, when the force was evaluated [m]; zero for a platen, which
-  /// begins where it is touched.
-  Vec2 arm_a{0, 0};
-  Vec2 arm_b{0, 0};
-
-  /// Force on b [N]; a gets the opposite.
-  [[nodiscard]] Vec2 force_on_b() const {
-    const auto n = geometry.normal.array();  // as pairs: half the instructions
-    return n * force.normal + n.reverse() * Eigen::Array2d(-force.tangential, force.tangential);
-  }
-  /// From the centroid of a to that of b [m].
-  [[nodiscard]] Vec2 branch() const { return arm_a - arm_b; }
-};
 
 /// Keeps the pairs that the broad phase finds, sorted by (a, b): forces are summed in that order,
 /// whatever the broad phase. Histories live as long as their contact. In a periodic plane a pair is
@@ -307,29 +275,24 @@ class ContactList {
     const bool far = pairs_.size() > cached_pairs;
     std::size_t last = task.first_pair;
     bool all_touch = true;
-    [[maybe_unused]] Waiting waiting;
+    PairGroup<Narrow> group;
+    const auto ask_alone = [&](std::size_t k) { all_touch &= find_contact(k, particles); };
     task.across.clear();
     for (std::size_t k = task.first_pair; k < task.last_pair; ++k) {
       if (far && k + ahead < task.last_pair && travelled >= apart_until_[k + ahead])
         fetch(pairs_[k + ahead]);
       if (travelled < apart_until_[k]) continue;
       ContactType& contact = pairs_[k];
-      if constexpr (grouped) {
-        if (waiting.add(k, contact, particles)) {
-          touching_[last++] = static_cast<std::uint32_t>(k);
-          if (waiting.full()) all_touch &= find_group(waiting, particles);
-          continue;
-        }
+      if (group.add(k, contact, particles)) {
+        touching_[last++] = static_cast<std::uint32_t>(k);
+        group.find_if_full(narrow_, ask_alone);
+      } else if (find_contact(k, particles)) {
+        touching_[last++] = static_cast<std::uint32_t>(k);
+        if constexpr (Plane::periodic)
+          if (contact.across) task.across.push_back(static_cast<std::uint32_t>(k));
       }
-      if (!find_contact(k, particles)) continue;
-      touching_[last++] = static_cast<std::uint32_t>(k);
-      if constexpr (Plane::periodic)
-        if (contact.across) task.across.push_back(static_cast<std::uint32_t>(k));
     }
-    if constexpr (grouped) {
-      for (std::size_t l = 0; l < waiting.group.size(); ++l)
-        all_touch &= find_contact(waiting.pairs[l], particles);
-    }
+    group.finish(ask_alone);
     task.touching = last - task.first_pair;
     if (!all_touch) drop_parted(task);
   }
@@ -355,34 +318,6 @@ class ContactList {
     }
     contact.touching = geometry.has_value();
     return contact.touching;
-  }
-
-  // Pairs that wait until they are enough for a narrow phase that takes several at once.
-  static constexpr bool grouped = requires { typename Narrow::Group; };
-  struct Group {
-    typename Narrow::Group group;
-    std::array<std::size_t, Narrow::Group::capacity> pairs;
-
-    // Images have no ring of their own in memory.
-    [[nodiscard]] bool add(std::size_t k, ContactType& contact, const Particles& particles) {
-      if (contact.across || !contact.touching) return false;
-      pairs[group.size()] = k;
-      return group.add(particles.ring(contact.a), particles.ring(contact.b), contact.memory,
-                       contact.geometry);
-    }
-    [[nodiscard]] bool full() const { return group.size() == pairs.size(); }
-  };
-  struct NoGroup {};
-  using Waiting = std::conditional_t<grouped, Group, NoGroup>;
-
-  // True if all still touch.
-  bool find_group(Waiting& waiting, const Particles& particles) {
-    const unsigned found = waiting.group.find();
-    waiting.group.clear();
-    bool all_touch = true;
-    for (std::size_t l = 0; l < waiting.pairs.size(); ++l)
-      if ((found >> l & 1U) == 0) all_touch &= find_contact(waiting.pairs[l], particles);
-    return all_touch;
   }
 
   // What the narrow phase says of a and of b, or its image.

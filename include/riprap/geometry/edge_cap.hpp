@@ -11,54 +11,20 @@
 #include <utility>
 
 #include <riprap/core/vec2.hpp>
+#include <riprap/geometry/entry_place.hpp>
 #include <riprap/geometry/line_side.hpp>
 
 namespace riprap {
 
-/// Where a cap is: one or two neighbouring vertices of the entering ring lie beyond an edge of the
-/// other. All vertices that have a part in it, by their numbers, so that a pair that stays as it is
-/// need not look for them again (25 instructions of a contact).
-struct EntryPlace {
-  std::uint8_t ring_size = 0;   ///< of the ring with the edge; 0: nowhere
-  std::uint8_t other_size = 0;  ///< of the ring that enters
-  std::uint8_t edge = 0;        ///< where it begins
-  std::uint8_t edge_end = 0;
-  std::uint8_t across = 0;  ///< vertex of the ring opposite to the edge
-  std::uint8_t first = 0;   ///< of the entering ring, beyond the edge
-  std::uint8_t last = 0;    ///< the same as `first`, or the next
-  std::uint8_t before = 0;  ///< its neighbours, on this side of the edge
-  std::uint8_t after = 0;
-
-  EntryPlace() = default;
-  /// Vertices `first` to `first + count - 1` of a ring of `other_size` lie beyond the edge that
-  /// begins at vertex `edge` of a ring of `ring_size`.
-  EntryPlace(std::size_t ring_size, std::size_t edge, std::size_t other_size, std::size_t first,
-             std::size_t count)
-      : ring_size(number(ring_size)), other_size(number(other_size)), edge(number(edge)),
-        edge_end(number(next_vertex(edge, ring_size))),
-        across(number((edge + ring_size / 2 + 1) % ring_size)), first(number(first)),
-        last(count == 1 ? number(first) : number(next_vertex(first, other_size))),
-        before(number(previous_vertex(first, other_size))),
-        after(number(next_vertex(last, other_size))) {}
-
-  [[nodiscard]] bool one_vertex() const { return first == last; }
-  /// Whether rings are of the sizes that it was made for.
-  [[nodiscard]] bool fits(Ring ring, Ring other) const {
-    return ring.size() == ring_size && other.size() == other_size;
-  }
-
- private:
-  [[nodiscard]] static std::uint8_t number(std::size_t k) { return static_cast<std::uint8_t>(k); }
-};
-
 /// The part of a convex ring that lies beyond one edge of another. Its base is the chord on the
 /// edge from where the boundary of the entering ring comes out to where it goes in.
 struct EdgeCap {
-  Vec2 normal{1, 0};  ///< of the edge, outwards
-  Vec2 middle{0, 0};  ///< of the chord
-  double depth = 0;   ///< of the deepest vertex below the edge [m]
-  double area = 0;    ///< [m^2]
-  double chord = 0;   ///< its length [m]
+  Vec2 normal{1, 0};       ///< of the edge, outwards
+  Vec2 middle{0, 0};       ///< of the chord
+  double depth = 0;        ///< of the deepest vertex below the edge [m]
+  double area = 0;         ///< [m^2]
+  double chord = 0;        ///< its length [m]
+  bool one_vertex = true;  ///< one lies beyond the edge, and not two
 };
 
 /// Two rings, and where the cap of `other` in `ring` is if they have one. The place fits the rings.
@@ -68,8 +34,8 @@ struct CapQuestion {
   const EntryPlace* place;
 };
 
-/// Several caps side by side, number by number: as many as a vector register has doubles. Each lane
-/// is computed as if it were alone, so that results do not depend on their number.
+/// How many caps are found side by side: as many as a vector register has doubles. Each is computed
+/// as if it were alone, so that results do not depend on their number.
 #ifdef __AVX__
 inline constexpr std::size_t cap_lanes = 4;
 #else
@@ -88,7 +54,7 @@ struct VertexLanes {
 
   [[gnu::always_inline]] VertexLanes(const CapQuestions& questions, const Vec2* CapQuestion::*ring,
                                      std::uint8_t EntryPlace::*vertex) {
-    const auto at = [&](std::size_t l) __attribute__((always_inline)) -> const Vec2& {
+    const auto at = [&](std::size_t l) __attribute__((always_inline))->const Vec2& {
       return (questions[l].*ring)[questions[l].place->*vertex];
     };
     if constexpr (cap_lanes == 2) {
@@ -106,7 +72,7 @@ struct VertexLanes {
 // Where the boundary crosses the edge, going in or coming out. All but `inside` times the edge's
 // length.
 struct CrossingLanes {
-  VertexLanes inside;              // the vertex beyond the edge
+  VertexLanes inside;     // the vertex beyond the edge
   CapLanes deep;          // how far it lies beyond
   CapLanes high;          // how far its neighbour lies on this side
   CapLanes inside_along;  // along the edge, from its start
@@ -184,21 +150,23 @@ template <class Found>
       0.5 * scale * scale *
       ((in.inside_along - out.along) * out.deep + (in.along - out.inside_along) * in.deep);
   const auto tell = [&]<Eigen::Index k>(std::integral_constant<Eigen::Index, k>)
-                        __attribute__((always_inline)) {
+      __attribute__((always_inline)) {
     constexpr auto l = static_cast<std::size_t>(k);
     if (!(least[k] > clear[k] &&
           (inside[k] > 0 || internal::inside_all(questions[l], margin * length[k]))))
       return;
+    const bool one_vertex = questions[l].place->one_vertex();
     found(l, EdgeCap{.normal = {normal_x[k], normal_y[k]},
                      .middle = {middle_x[k], middle_y[k]},
                      .depth = depth[k],
-                     .area = questions[l].place->one_vertex() ? 0.5 * chord[k] * depth[k]
-                                                              : quadrangle[k],
-                     .chord = chord[k]});
+                     .area = one_vertex ? 0.5 * chord[k] * depth[k] : quadrangle[k],
+                     .chord = chord[k],
+                     .one_vertex = one_vertex});
   };
   [&]<std::size_t... l>(std::index_sequence<l...>) __attribute__((always_inline)) {
     (tell(std::integral_constant<Eigen::Index, l>{}), ...);
-  }(std::make_index_sequence<cap_lanes>{});
+  }
+  (std::make_index_sequence<cap_lanes>{});
 }
 
 /// The cap of a single question, or nothing.

@@ -44,31 +44,6 @@ struct LineSide {
   double from_x, from_y;  ///< p [m]
 };
 
-/// The triangle over an edge of a convex ring to a vertex across: it holds most of what lies inside
-/// the ring near the edge, and to ask it costs a third of asking all edges.
-struct TriangleAcross {
-  /// @param margin of its sides, as a share of their lengths
-  TriangleAcross(const Vec2& across, const LineSide& edge, double margin)
-      : x(across.x() - edge.from_x), y(across.y() - edge.from_y), from_x(edge.from_x),
-        from_y(edge.from_y) {
-    twice_area = edge.x * y - edge.y * x;
-    const double reach = std::abs(x) + std::abs(y) + edge.length_bound();
-    clear = margin * reach * reach;
-  }
-
-  /// Does it hold v, by a clear margin?
-  /// @param depth edge(v), positive
-  [[nodiscard]] bool holds(const Vec2& v, double depth) const {
-    const double left = (v.x() - from_x) * y - (v.y() - from_y) * x;
-    return std::min(left, twice_area - depth - left) > clear;
-  }
-
-  double x, y;            ///< of the vertex across, from the edge's beginning [m]
-  double from_x, from_y;  ///< where the edge begins [m]
-  double twice_area;      ///< [m^2]
-  double clear;           ///< [m^2]
-};
-
 /// Does v, inside edge `i` of a convex ring, lie inside all other edges as well, by a clear margin
 /// [m]?
 [[nodiscard]] inline bool inside_other_edges(Ring ring, std::size_t i, const Vec2& v,

@@ -3,6 +3,7 @@
 /// The axioms of the narrow phase.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -105,6 +106,29 @@ void check_pair_symmetry(const N& narrow, const PolygonPair& pair, double size, 
                      size, 60, check);
 }
 
+/// That pairs found in groups have the contacts of pairs asked alone, to the last bit.
+template <FindsGroups N>
+void check_groups(const N& narrow, const std::vector<PolygonPair>& pairs, AxiomCheck& check) {
+  std::array<typename N::Memory, N::Group::capacity> memories;
+  std::array<ContactGeometry, N::Group::capacity> contacts;
+  std::array<const PolygonPair*, N::Group::capacity> members;
+  typename N::Group group;
+  for (const PolygonPair& pair : pairs) {
+    const std::size_t k = group.size();
+    memories[k] = {};
+    if (!narrow(pair.a.ring(), pair.b.ring(), memories[k])) continue;
+    members[k] = &pair;
+    if (!group.add(pair.a.ring(), pair.b.ring(), memories[k], contacts[k])) continue;
+    if (group.size() < contacts.size()) continue;
+    const unsigned found = narrow.find(group);
+    group.clear();
+    for (std::size_t l = 0; l < contacts.size(); ++l)
+      if ((found >> l & 1U) != 0)
+        check_same_contact("a group changes no answer", contacts[l],
+                           meet(narrow, members[l]->a, members[l]->b), 0, 0, check);
+  }
+}
+
 }  // namespace internal
 
 /// Which axioms a narrow phase breaks for random polygons of about `size` [m].
@@ -124,6 +148,8 @@ template <NarrowPhase N>
         check.at_most("the clearance is no more than the distance of the rings [m]",
                       narrow.clearance(memory), -pair.overlap + 1e-12 * size);
   }
+  if constexpr (FindsGroups<N>)
+    internal::check_groups(narrow, internal::polygon_pairs(size), check);
   return std::move(check).violations();
 }
 

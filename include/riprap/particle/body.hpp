@@ -53,7 +53,8 @@ struct Body {
   }
   /// Velocity [m/s] of the material point at `arm` from the centroid.
   [[nodiscard]] Vec2 velocity_at(const Vec2& arm) const {
-    return velocity.array() + arm.array().reverse() * Eigen::Array2d(-angular_velocity, angular_velocity);
+    return velocity.array() +
+           arm.array().reverse() * Eigen::Array2d(-angular_velocity, angular_velocity);
   }
 };
 

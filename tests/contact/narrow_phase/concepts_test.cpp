@@ -56,6 +56,48 @@ struct ClearanceOfRings : archetype::NarrowPhase {
   double clearance(Ring, Ring) const { return 0; }
 };
 
+struct FindsSeveral : archetype::NarrowPhase {
+  struct Group {
+    using Of = FindsSeveral;
+    static constexpr std::size_t capacity = 3;
+    [[nodiscard]] archetype::Gives<std::size_t> size() const {
+      return archetype::Gives<std::size_t>(0);
+    }
+    void clear() {}
+    archetype::Gives<bool> add(archetype::Takes<Ring>, archetype::Takes<Ring>,
+                               archetype::Takes<Memory>, ContactGeometry&) {
+      return archetype::Gives(false);
+    }
+  };
+  [[nodiscard]] archetype::Gives<unsigned> find(archetype::Takes<Group>) const {
+    return archetype::Gives(0U);
+  }
+};
+struct Inherits : FindsSeveral {};  // and may answer differently
+struct GroupOfNobody : archetype::NarrowPhase {
+  struct Group {};
+};
+struct FindNotConst : archetype::NarrowPhase {
+  struct Group : FindsSeveral::Group {
+    using Of = FindNotConst;
+  };
+  unsigned find(const Group&) { return 0; }
+};
+struct GroupTooLarge : archetype::NarrowPhase {
+  struct Group : FindsSeveral::Group {
+    using Of = GroupTooLarge;
+    static constexpr std::size_t capacity = 33;  // bits of an answer
+  };
+  unsigned find(const Group&) const { return 0; }
+};
+
+static_assert(NarrowPhase<FindsSeveral>);
+static_assert(FindsGroups<FindsSeveral>);
+static_assert(NarrowPhase<Inherits>);
+static_assert(!FindsGroups<Inherits>);
+static_assert(!NarrowPhase<GroupOfNobody>);
+static_assert(!NarrowPhase<FindNotConst>);
+static_assert(!NarrowPhase<GroupTooLarge>);
 static_assert(NarrowPhase<archetype::NarrowPhase>);
 static_assert(NarrowPhase<TellsClearance>);
 static_assert(NarrowPhase<ClearanceOfRings>);

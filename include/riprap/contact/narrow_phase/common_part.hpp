@@ -42,8 +42,9 @@ struct CommonPart {
     const EdgeSource going_in = polygon.sources[next_vertex(i, polygon.size)];
     const std::size_t other_size = of_b == 1 ? vertices_of_a : vertices_of_b;
     const std::size_t first = next_vertex(going_in.edge, other_size);
-    const std::size_t size = of_b == 1 ? vertices_of_b : vertices_of_a;
-    return Entry{of_b == 1, {size, polygon.sources[i].edge, other_size, first, polygon.size - 2}};
+    const std::size_t ring_size = of_b == 1 ? vertices_of_b : vertices_of_a;
+    return Entry{of_b == 1, entry_place(ring_size, polygon.sources[i].edge, other_size, first,
+                                        polygon.size - 2)};
   }
 
   /// The vertices of a and b that lie in the other, if it is one of each.

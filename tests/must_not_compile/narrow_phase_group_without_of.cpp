@@ -1,0 +1,13 @@
+// riprap: a Group of a NarrowPhase must have a type Of, capacity, size(), clear(), bool add(Ring,
+#include <riprap/simulation/model.hpp>
+using namespace riprap;
+
+struct Mine {
+  struct Memory {};
+  struct Group {
+    static constexpr std::size_t capacity = 2;
+  };
+  std::optional<ContactGeometry> operator()(Ring, Ring, Memory&) const { return std::nullopt; }
+};
+
+const auto model = Model{}.narrow_phase(Mine{});
