@@ -132,12 +132,15 @@ TEST_CASE("the contacts of a task are those with one of its bodies, in order") {
       if (task_of(c.a) == task || task_of(c.b) == task) expected.emplace_back(c.a, c.b);
     });
     Pairs of_task;
-    list.for_each_touching_of(task, [&](const auto& c) { of_task.emplace_back(c.a, c.b); });
+    list.for_each_touching_of(task, [&](const auto& c, std::size_t k) {
+      of_task.emplace_back(c.a, c.b);
+      CHECK(&c == &list.pairs()[k]);
+    });
     CHECK(of_task == expected);
     found += of_task.size();
   }
   CHECK(found > static_cast<std::size_t>(touching_count(list)));  // some are of two tasks
-  list.for_each_touching_of(task_count(bodies), [&](const auto&) { CHECK(false); });
+  list.for_each_touching_of(task_count(bodies), [&](const auto&, std::size_t) { CHECK(false); });
 }
 
 TEST_CASE("no contact is missed while bodies move far beyond the skin") {

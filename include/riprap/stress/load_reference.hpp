@@ -6,9 +6,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include <riprap/stress/compact_operator.hpp>
+#include <riprap/stress/load_box.hpp>
 
 namespace riprap {
 
@@ -18,6 +20,7 @@ struct ContactLoad {
   Vec2 force{0, 0};         ///< on the particle [N]
   double normal_force = 0;  ///< [N]
   std::uint32_t partner = 0;
+  std::uint32_t side = 0;  ///< of which pair, as by PairIndex
 };
 
 /// The loads of one particle at its last evaluation, in its own frame, and by how much the stresses
@@ -52,7 +55,8 @@ class LoadReference {
                       .hold_square = static_cast<float>(hold * std::abs(hold)),
                       .steepness = static_cast<float>(op.steepness(at, force)),
                       .unit_steepness = static_cast<float>(op.steepness(at)),
-                      .unit_norm = 0,  // by keep_products
+                      .norm_x = 0,  // by keep_products
+                      .norm_y = 0,
                       .partner = loads[c].partner};
       corners_[c] = corner_of(places[c], arm);
       forces_[2 * c] = static_cast<float>(force.x());
@@ -67,51 +71,24 @@ class LoadReference {
     if (!(limit_ > 1e-12f)) forget();
   }
 
+  /// Contacts of a particle beyond which nothing is known of it.
+  static constexpr std::size_t most_loads = 2 * capacity;
+
   /// True if the stresses under `loads` are known to be within the limit of those evaluated.
   [[nodiscard]] bool holds(std::span<const ContactLoad> loads, const Rotation& rotation) const {
-    if (!(limit_ > 0)) return false;
-    std::array<float, 2 * capacity> change;
-    float slack = 0;
-    float sum = 0;  // bound on the norm of the change of forces
-    std::size_t c = 0;
-    for (const ContactLoad& load : loads) {
-      const Vec2 force_now = rotation.inverse_times(load.force);
-      const auto fx = static_cast<float>(force_now.x());
-      const auto fy = static_cast<float>(force_now.y());
-      const float size = std::abs(fx) + std::abs(fy);
-      for (; c < count_ && contacts_[c].partner < load.partner; ++c) sum += open(change, c);
-      if (c == count_ || contacts_[c].partner != load.partner) {
-        slack += largest_norm_ * size;
-        continue;
-      }
-      const Contact& then = contacts_[c];
-      const Vec2 arm = rotation.inverse_times(load.arm);
-      const float dx = static_cast<float>(arm.x()) - then.x;
-      const float dy = static_cast<float>(arm.y()) - then.y;
-      const float moved = dx * dx + dy * dy;
-      float along = 0;
-      if (moved <= then.hold_square)
-        along = std::sqrt(moved);
-      else if (moved <= corners_[c].hold_square)
-        along = corners_[c].way(static_cast<float>(arm.x()), static_cast<float>(arm.y()));
-      else
-        return false;
-      const float by_x = fx - forces_[2 * c];
-      const float by_y = fy - forces_[2 * c + 1];
-      change[2 * c] = by_x;
-      change[2 * c + 1] = by_y;
-      const float by = std::abs(by_x) + std::abs(by_y);
-      slack += along * (then.steepness + then.unit_steepness * by) +
-               static_cast<float>(margin) * largest_norm_ * size;
-      sum += then.unit_norm * by;
-      ++c;
-    }
-    for (; c < count_; ++c) sum += open(change, c);
-    const float left = limit_ - slack;
-    // The norm of a sum is no more than the sum of the norms: often that is enough, and saves the
-    // form, a fourth of the instructions.
-    if (sum <= left) return true;
-    return left > 0 && norm_square(change) <= left * left;
+    Comparison now;
+    return compare(loads, rotation, now) >= 0;
+  }
+
+  /// The same, with a box for each of the loads. While the particle has the same contacts, and each
+  /// stays inside its own box, the stresses are within the limit.
+  [[nodiscard]] bool holds(std::span<const ContactLoad> loads, const Rotation& rotation,
+                           std::array<LoadBox, most_loads>& boxes) const {
+    Comparison now;
+    const float left = compare(loads, rotation, now);
+    if (!(left >= 0)) return false;
+    give_boxes(now, loads.size(), left, boxes);
+    return true;
   }
 
  private:
@@ -123,7 +100,7 @@ class LoadReference {
     float hold_square;
     float steepness;       // of its force
     float unit_steepness;  // of a unit force
-    float unit_norm;       // of a unit force along either axis, the larger one
+    float norm_x, norm_y;  // of a unit force along either axis
     std::uint32_t partner;
   };
 
@@ -148,14 +125,129 @@ class LoadReference {
       if (after > before + round_off) return if_after;
       return std::max(if_before, if_after);
     }
+    // On whichever of the edges.
+    [[nodiscard]] float longer_way(float arm_x, float arm_y) const {
+      const float dx = arm_x - x;
+      const float dy = arm_y - y;
+      const float before = std::max(0.0f, dx * before_x + dy * before_y);
+      const float after = std::max(0.0f, dx * after_x + dy * after_y);
+      return std::max(std::abs(before + from_corner), std::abs(after - from_corner));
+    }
   };
   using Changes = std::array<float, 2 * capacity>;
 
-  // Contact c is no more. Returns what that adds to the norm at most.
-  [[nodiscard]] float open(Changes& change, std::size_t c) const {
+  // A load beside that of the same contact then.
+  struct Meeting {
+    Vec2 arm, force;      // in the particle's own frame
+    std::size_t contact;  // of the reference; none if it is new
+    float moved;
+    float along;  // the boundary, at most
+    float by;     // sum of the components of the change of force
+  };
+  static constexpr std::size_t none = capacity;
+  struct Comparison {
+    std::array<Meeting, most_loads> met;
+    Changes change;
+  };
+
+  // What is left of the limit; less than nothing if it may be passed.
+  [[nodiscard]] float compare(std::span<const ContactLoad> loads, const Rotation& rotation,
+                              Comparison& now) const {
+    if (!(limit_ > 0) || loads.size() > most_loads) return -1;
+    float slack = 0;
+    std::size_t c = 0;
+    for (std::size_t k = 0; k < loads.size(); ++k) {
+      for (; c < count_ && contacts_[c].partner < loads[k].partner; ++c) open(now.change, c);
+      Meeting& met = now.met[k];
+      met.arm = rotation.inverse_times(loads[k].arm);
+      met.force = rotation.inverse_times(loads[k].force);
+      const auto fx = static_cast<float>(met.force.x());
+      const auto fy = static_cast<float>(met.force.y());
+      const float size = std::abs(fx) + std::abs(fy);
+      if (c == count_ || contacts_[c].partner != loads[k].partner) {
+        met.contact = none;
+        slack += largest_norm_ * size;
+        continue;
+      }
+      met.contact = c;
+      const Contact& then = contacts_[c];
+      const auto x = static_cast<float>(met.arm.x());
+      const auto y = static_cast<float>(met.arm.y());
+      const float square = (x - then.x) * (x - then.x) + (y - then.y) * (y - then.y);
+      met.moved = std::sqrt(square);
+      if (square <= then.hold_square)
+        met.along = met.moved;
+      else if (square <= corners_[c].hold_square)
+        met.along = corners_[c].way(x, y);
+      else
+        return -1;
+      now.change[2 * c] = fx - forces_[2 * c];
+      now.change[2 * c + 1] = fy - forces_[2 * c + 1];
+      met.by = std::abs(now.change[2 * c]) + std::abs(now.change[2 * c + 1]);
+      slack += met.along * (then.steepness + then.unit_steepness * met.by) +
+               static_cast<float>(margin) * largest_norm_ * size;
+      ++c;
+    }
+    for (; c < count_; ++c) open(now.change, c);
+    const float left = limit_ - slack;
+    if (!(left > 0)) return -1;
+    return left - std::sqrt(std::max(0.0f, norm_square(now.change)));
+  }
+
+  // How far a contact may go on, and what that costs.
+  struct Freedom {
+    float hold;       // of its arm
+    float steepness;  // of its force
+    float along;      // the boundary, until now
+  };
+
+  void give_boxes(const Comparison& now, std::size_t loads, float left,
+                  std::array<LoadBox, most_loads>& boxes) const {
+    const float share = (1 - static_cast<float>(margin)) * left / static_cast<float>(4 * loads);
+    std::array<Freedom, most_loads> freedoms;
+    float rest = (1 - static_cast<float>(margin)) * left;
+    for (std::size_t k = 0; k < loads; ++k)
+      if (now.met[k].contact != none) rest -= find_freedom(now.met[k], share, freedoms[k]);
+    const float part = rest / static_cast<float>(3 * loads);
+    for (std::size_t k = 0; k < loads; ++k) {
+      const Meeting& met = now.met[k];
+      if (met.contact == none) {
+        const float by = 1.5f * part / largest_norm_;
+        boxes[k] = LoadBox::around(met.arm, met.force, std::numeric_limits<float>::max(), by, by);
+        continue;
+      }
+      const Contact& then = contacts_[met.contact];
+      const Freedom& free = freedoms[k];
+      const float way = std::min(free.hold, part / free.steepness);
+      const float turn =
+          then.unit_steepness * (free.along + way) + static_cast<float>(margin) * largest_norm_;
+      boxes[k] = LoadBox::around(met.arm, met.force, way, part / (then.norm_x + turn),
+                                 part / (then.norm_y + turn));
+    }
+  }
+
+  // Returns what it costs that the contact may change edges, where that is less than `share`.
+  [[nodiscard]] float find_freedom(const Meeting& met, float share, Freedom& free) const {
+    const Contact& then = contacts_[met.contact];
+    const Corner& corner = corners_[met.contact];
+    const float steepness = then.steepness + then.unit_steepness * met.by;
+    const float edge_hold =
+        then.hold_square > 0 ? std::sqrt(then.hold_square) - met.moved : -met.moved;
+    free = {edge_hold, steepness, met.along};
+    if (!(corner.hold_square > 0)) return 0;
+    const float hold = std::sqrt(corner.hold_square) - met.moved;
+    const float along = std::max(met.along, corner.longer_way(static_cast<float>(met.arm.x()),
+                                                              static_cast<float>(met.arm.y())));
+    const float jump = (along - met.along) * steepness;
+    if (hold <= edge_hold || jump > share) return 0;
+    free = {hold, steepness, along};
+    return jump;
+  }
+
+  // Contact c is no more.
+  void open(Changes& change, std::size_t c) const {
     change[2 * c] = -forces_[2 * c];
     change[2 * c + 1] = -forces_[2 * c + 1];
-    return contacts_[c].unit_norm * (std::abs(forces_[2 * c]) + std::abs(forces_[2 * c + 1]));
   }
 
   [[nodiscard]] static Corner corner_of(const OutlinePoint& place, const Vec2& arm) {
@@ -200,8 +292,8 @@ class LoadReference {
       upper[2 * c] = inflated * own(0, 0);
       lower[2 * c] = own(0, 1) + own(1, 0);
       lower[2 * c + 1] = inflated * own(1, 1);
-      contacts_[c].unit_norm =
-          static_cast<float>(1 + margin) * std::sqrt(std::max(upper[2 * c], lower[2 * c + 1]));
+      contacts_[c].norm_x = static_cast<float>(1 + margin) * std::sqrt(upper[2 * c]);
+      contacts_[c].norm_y = static_cast<float>(1 + margin) * std::sqrt(lower[2 * c + 1]);
       upper = lower + 2 * c + 2;
     }
   }
