@@ -18,8 +18,8 @@
 #include <riprap/simulation/operator_store.hpp>
 #include <riprap/stress/boundary_load.hpp>
 #include <riprap/stress/element_stress.hpp>
-#include <riprap/stress/load_box.hpp>
 #include <riprap/stress/load_reference.hpp>
+#include <riprap/stress/load_watch.hpp>
 #include <riprap/stress/support/inertia_relief.hpp>
 
 namespace riprap {
@@ -62,7 +62,7 @@ class ParticleStress {
     if (numbering_ != contacts.numbering() || watched_.size() != particles.size()) {
       numbering_ = contacts.numbering();
       index_.build(contacts.pairs(), particles.size());
-      boxes_.assign(2 * contacts.pairs().size(), {});
+      prices_.assign(2 * contacts.pairs().size(), {});
       watched_.assign(particles.size(), LoadWatch::none);
     }
     references_.resize(particles.size());
@@ -97,10 +97,12 @@ class ParticleStress {
       watches[i - first] =
           LoadWatch(particles.body(static_cast<BodyIndex>(i)).rotation, watched_[i]);
     // One of the two is the task's, and a is below b.
+    // The force on b is compared for both: prices of a are turned round.
+    const LoadPrice* const prices = prices_.data();
     contacts.for_each_touching_of(task, [&](const auto& c, std::size_t k) {
       const Vec2 on_b = c.force_on_b();
-      if (c.a >= first) watches[c.a - first].meet(boxes_[2 * k], c.arm_a, -on_b);
-      if (c.b < last) watches[c.b - first].meet(boxes_[2 * k + 1], c.arm_b, on_b);
+      if (c.a >= first) watches[c.a - first].meet(prices[2 * k], c.arm_a, on_b);
+      if (c.b < last) watches[c.b - first].meet(prices[2 * k + 1], c.arm_b, on_b);
     });
     for (std::size_t i = first; i < last; ++i)
       if (!watches[i - first].holds()) suspect(static_cast<BodyIndex>(i));
@@ -134,10 +136,10 @@ class ParticleStress {
   /// Whether the loads of particle i are so near to those of its last `may_break` that it cannot
   /// break now. If so, it is watched from now on.
   [[nodiscard]] bool known_to_hold(const Particles& particles, BodyIndex i) {
-    std::array<LoadBox, LoadReference::most_loads> boxes;
-    const bool holds = references_[i].holds(loads(i), particles.body(i).rotation, boxes);
+    std::array<LoadPrice, LoadReference::most_loads> prices;
+    const bool holds = references_[i].holds(loads(i), particles.body(i).rotation, prices);
     if (holds)
-      watch(i, boxes);
+      watch(i, prices);
     else
       watched_[i] = LoadWatch::none;
     return holds;
@@ -200,10 +202,13 @@ class ParticleStress {
   }
 
   // One for each load of particle i, none for pairs that do not touch.
-  void watch(BodyIndex i, std::span<const LoadBox> boxes) {
+  void watch(BodyIndex i, std::span<const LoadPrice> prices) {
     const std::span<const ContactLoad> own = loads(i);
-    for (const std::uint32_t side : index_.of(i)) boxes_[side] = {};
-    for (std::size_t c = 0; c < own.size(); ++c) boxes_[own[c].side] = boxes[c];
+    for (const std::uint32_t side : index_.of(i)) prices_[side] = {};
+    for (std::size_t c = 0; c < own.size(); ++c) {
+      const std::uint32_t side = own[c].side;
+      prices_[side] = side % 2 == 0 ? prices[c].opposite() : prices[c];
+    }
     watched_[i] = static_cast<std::uint32_t>(own.size());
   }
 
@@ -215,9 +220,9 @@ class ParticleStress {
   OperatorStore<StressPart> operators_;
   std::vector<LoadReference> references_;
   PairIndex index_;
-  std::uint64_t numbering_ = 0;         // of the pairs, as of index and boxes
-  std::vector<LoadBox> boxes_;          // side by side
-  std::vector<std::uint32_t> watched_;  // how many boxes particle by particle
+  std::uint64_t numbering_ = 0;         // of the pairs, as of index and prices
+  std::vector<LoadPrice> prices_;       // side by side
+  std::vector<std::uint32_t> watched_;  // how many prices particle by particle
   std::vector<std::vector<ContactLoad>>
       tasks_;                 // in laboratory axes: turning is left to those who need it
   std::vector<Range> loads_;  // of each particle, among those of its task
