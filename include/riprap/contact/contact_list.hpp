@@ -78,7 +78,7 @@ class ContactList {
   /// Every pair near each other, touching or not, sorted by (a, b, image).
   [[nodiscard]] std::span<const ContactType> pairs() const { return pairs_; }
 
-  /// A number that is another one whenever pairs have come, gone or changed places.
+  /// A number that is another one whenever the bodies of the pairs, in their order, are others.
   [[nodiscard]] std::uint64_t numbering() const { return numbering_; }
 
   /// Calls `visit(contact)` for every pair that touches, in order.

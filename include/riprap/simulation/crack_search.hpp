@@ -85,12 +85,11 @@ class CrackSearch {
     Refusal& refusal = refusals_[i];
     if (refusal.active && refusal.partners == stresses.partners(particles, i)) return false;
     refusal.active = false;
-    if (stresses.contact_count(i) == 0) {
+    if constexpr (foreseen<BreakagePart, StressPart>) {
+      if (stresses.contact_count(i) > 0) return !stresses.known_to_hold(particles, i);
       stresses.watch_for_contacts(i);
-      return false;
     }
-    if constexpr (foreseen<BreakagePart, StressPart>) return !stresses.known_to_hold(particles, i);
-    return true;
+    return stresses.contact_count(i) > 0;
   }
 
   // Everyone that has to be evaluated, in order.
@@ -103,10 +102,16 @@ class CrackSearch {
     for_each_task(execution, particles.size(),
                   [&](std::size_t task, std::size_t first, std::size_t last) {
                     task_suspects_[task].clear();
-                    stresses.watch_task(particles, contacts, task, first, last, [&](BodyIndex i) {
+                    const auto ask = [&](BodyIndex i) {
                       if (asks(breakage, particles, contacts, i, stresses))
                         task_suspects_[task].push_back(i);
-                    });
+                    };
+                    if constexpr (foreseen<BreakagePart, StressPart>) {
+                      stresses.watch_task(particles, contacts, task, first, last, ask);
+                    } else {
+                      stresses.begin_task(task);
+                      for (auto i = static_cast<BodyIndex>(first); i < last; ++i) ask(i);
+                    }
                   });
     suspects_.clear();
     for (const auto& some : task_suspects_)
