@@ -12,8 +12,7 @@ using test::near;
 
 namespace {
 
-constexpr double size = 0.016;
-// Of places in single precision: four times half a unit in the last place of 0.016 m.
+// Of places in single precision: four times half a unit in the last place of 16 mm.
 constexpr double round_off = 4e-9;
 
 // A place within a hundredth or so of the size from a corner, and where it is on the boundary.
