@@ -132,12 +132,42 @@ TEST_CASE("the contacts of a task are those with one of its bodies, in order") {
       if (task_of(c.a) == task || task_of(c.b) == task) expected.emplace_back(c.a, c.b);
     });
     Pairs of_task;
-    list.for_each_touching_of(task, [&](const auto& c) { of_task.emplace_back(c.a, c.b); });
+    list.for_each_touching_of(task, [&](const auto& c, std::size_t k) {
+      of_task.emplace_back(c.a, c.b);
+      CHECK(&c == &list.pairs()[k]);
+    });
     CHECK(of_task == expected);
     found += of_task.size();
   }
   CHECK(found > static_cast<std::size_t>(touching_count(list)));  // some are of two tasks
-  list.for_each_touching_of(task_count(bodies), [&](const auto&) { CHECK(false); });
+  list.for_each_touching_of(task_count(bodies), [&](const auto&, std::size_t) { CHECK(false); });
+}
+
+TEST_CASE("pairs are numbered anew where they have come, gone or changed places, and only there") {
+  Particles particles = crowd(2, 40);
+  List list = list_with_skin(0.1);
+  using Pairs = std::vector<std::pair<BodyIndex, BodyIndex>>;
+  Pairs before;
+  std::uint64_t number = list.numbering();
+  int kept = 0;
+  int renumbered = 0;
+  for (int step = 0; step < 100; ++step) {
+    drift_all(particles, 0.01);
+    list.invalidate();
+    list.update(particles, 0.01);
+    Pairs now;
+    for (const auto& c : list.pairs()) now.emplace_back(c.a, c.b);
+    CHECK((list.numbering() == number) == (now == before));
+    ++(now == before ? kept : renumbered);
+    before = now;
+    number = list.numbering();
+    // Who has the same pairs has the same number.
+    List other = list_with_skin(0.1);
+    other.update(particles, 0);
+    CHECK(other.numbering() == number);
+  }
+  CHECK(kept > 10);
+  CHECK(renumbered > 10);
 }
 
 TEST_CASE("no contact is missed while bodies move far beyond the skin") {

@@ -110,6 +110,39 @@ TEST_CASE("a particle far from breaking is evaluated once while its loads stay a
   CHECK(asked == 3);
 }
 
+TEST_CASE("a contact that comes or goes is noticed, whatever was known before") {
+  const auto model = Model{};
+  const Simulation loaded{model, crushed, Rock{}};
+  // The same pairs; the platen above the particle on the right, or both of them, do not touch.
+  Assembly above = crushed;
+  above.particles[1].polygon = platen.moved({}, {0, 0.0161});
+  const Simulation resting{model, above, Rock{}};
+  Assembly none = above;
+  none.particles[2].polygon = platen.moved({}, {0, -0.0161});
+  const Simulation free{model, none, Rock{}};
+  REQUIRE(loaded.contacts().numbering() == resting.contacts().numbering());
+  REQUIRE(loaded.contacts().numbering() == free.contacts().numbering());
+
+  ParticleStress<decltype(model.stress_model)> stresses(model.stress_model, Rock{});
+  CrackSearch search;
+  const auto find = [&](const auto& sim) {
+    return search
+        .find(model.breakage_model, sim.particles(), sim.contacts(), stresses, sim.mean_area())
+        .size();
+  };
+  const auto expected = [&](const auto& sim) {
+    CrackSearch fresh;
+    ParticleStress<decltype(model.stress_model)> unknown(model.stress_model, Rock{});
+    return fresh
+        .find(model.breakage_model, sim.particles(), sim.contacts(), unknown, sim.mean_area())
+        .size();
+  };
+  REQUIRE(expected(loaded) == 2);
+  for (const auto* sim : {&free, &free, &loaded, &free, &resting, &resting, &loaded, &resting,
+                          &free, &resting, &loaded})
+    CHECK(find(*sim) == expected(*sim));
+}
+
 TEST_CASE("under a support that is not linear every particle is evaluated exactly") {
   CHECK(ParticleStress<StressModel<>>::linear);
   const auto model = Model{}.support(TwoPinnedContacts{});

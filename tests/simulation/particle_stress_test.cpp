@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <span>
 #include <vector>
 
 #include <riprap/dynamics/boundary/no_boundary.hpp>
@@ -19,15 +20,49 @@ struct Touch {
   Vec2 arm_a{0, 0};
   Vec2 arm_b{0, 0};
   ContactForce force{};
-  Vec2 force_on_b() const { return {0, 0}; }
+  bool touching = true;
+  Vec2 on_b{0, 0};
+  Vec2 force_on_b() const { return on_b; }
 };
 struct Touches {
   std::vector<Touch> list;
+  std::uint64_t number;
+  std::span<const Touch> pairs() const { return list; }
+  std::uint64_t numbering() const { return number; }
   template <class Visit>
   void for_each_touching_of(std::size_t, Visit&& visit) const {
-    for (const Touch& t : list) visit(t);
+    for (std::size_t k = 0; k < list.size(); ++k)
+      if (list[k].touching) visit(list[k], k);
   }
 };
+
+Particles four_triangles() {
+  Particles particles(0.016, 2500);
+  for (int i = 0; i < 4; ++i) {
+    const double x = 0.02 * i;
+    particles.add(ConvexPolygon{{x, 0.0}, {x + 0.01, 0.0}, {x, 0.01}}, Motion::free);
+  }
+  return particles;
+}
+
+// Who is left by the watch, and is then compared, or evaluated if need be, as under a load that
+// breaks nobody.
+std::vector<BodyIndex> left_by_watch(ParticleStress<StressModel<>>& stress,
+                                     const Particles& particles, const Touches& contacts) {
+  StressWorkspace work{FailureForecast(FailureRadii::of(HoekBrown{}))};
+  std::vector<BodyIndex> left;
+  stress.begin_gather(particles, contacts);
+  stress.watch_task(particles, contacts, 0, 0, particles.size(), [&](BodyIndex i) {
+    left.push_back(i);
+    stress.gather(contacts, i);
+    if (stress.contact_count(i) == 0)
+      stress.watch_for_contacts(i);
+    else if (!stress.known_to_hold(particles, i))
+      CHECK_FALSE(stress.may_break(
+          particles, i, 1, [](std::size_t elements) { return elements; }, work));
+  });
+  return left;
+}
 
 }  // namespace
 
@@ -76,18 +111,55 @@ TEST_CASE("every particle has its own contacts and no others, across tasks too")
 }
 
 TEST_CASE("partners are told apart by who they are, not by how many") {
-  Particles particles(0.016, 2500);
-  for (int i = 0; i < 4; ++i) {
-    const double x = 0.02 * i;
-    particles.add(ConvexPolygon{{x, 0.0}, {x + 0.01, 0.0}, {x, 0.01}}, Motion::free);
-  }
+  const Particles particles = four_triangles();
   ParticleStress<StressModel<>> stress(StressModel<>{}, Rock{});
-  stress.gather(particles, Touches{{{0, 1}, {0, 2}}});
+  stress.gather(particles, Touches{{{0, 1}, {0, 2}}, 1});
   const std::uint64_t first = stress.partners(particles, 0);
   CHECK(stress.contact_count(0) == 2);
   CHECK(stress.contact_count(3) == 0);
-  stress.gather(particles, Touches{{{0, 2}, {0, 1}}});
+  stress.gather(particles, Touches{{{0, 2}, {0, 1}}, 2});
   CHECK(stress.partners(particles, 0) == first);
-  stress.gather(particles, Touches{{{0, 1}, {0, 3}}});
+  stress.gather(particles, Touches{{{0, 1}, {0, 3}}, 3});
   CHECK(stress.partners(particles, 0) != first);
+}
+
+TEST_CASE("the watch leaves those whose contacts come, go, change much or are numbered anew") {
+  using Left = std::vector<BodyIndex>;
+  const Particles particles = four_triangles();
+  ParticleStress<StressModel<>> stress(StressModel<>{}, Rock{});
+  const auto touch = [](BodyIndex a, BodyIndex b) {
+    return Touch{.a = a,
+                 .b = b,
+                 .arm_a = {1e-3 * b, -3.3e-3},
+                 .arm_b = {-3.3e-3, 1e-3 * a},
+                 .on_b = {100, 50.0 * b}};
+  };
+  Touches contacts{{touch(0, 1), touch(0, 2), touch(0, 3)}, 7};
+  Touch& first = contacts.list[0];
+  Touch& last = contacts.list[2];
+  last.touching = false;
+  const auto left = [&] { return left_by_watch(stress, particles, contacts); };
+
+  CHECK(left() == Left{0, 1, 2, 3});
+  CHECK(left() == Left{});
+  last.touching = true;
+  CHECK(left() == Left{0, 3});
+  CHECK(left() == Left{});
+  last.touching = false;
+  CHECK(left() == Left{0, 3});
+  CHECK(left() == Left{});
+  // As many as before, each under a load that was known once.
+  last.touching = true;
+  first.touching = false;
+  CHECK(left() == Left{0, 1, 3});
+  CHECK(left() == Left{});
+  contacts.list[1].on_b *= 1 + 1e-9;
+  CHECK(left() == Left{});
+  contacts.number = 8;
+  CHECK(left() == Left{0, 1, 2, 3});
+  CHECK(left() == Left{});
+  stress.forget(3);
+  CHECK(left() == Left{3});
+  contacts.list[1].on_b *= 100;
+  CHECK(left() == Left{0, 2});
 }

@@ -21,6 +21,7 @@
 #include <riprap/contact/pair_group.hpp>
 #include <riprap/contact/plane.hpp>
 #include <riprap/core/execution/serial.hpp>
+#include <riprap/core/hash.hpp>
 #include <riprap/core/step_part.hpp>
 #include <riprap/geometry/convex_polygon.hpp>
 #include <riprap/particle/particles.hpp>
@@ -51,6 +52,9 @@ class ContactList {
   /// Every pair near each other, touching or not, sorted by (a, b, image).
   [[nodiscard]] std::span<const ContactType> pairs() const { return pairs_; }
 
+  /// A number that is another one whenever the bodies of the pairs, in their order, are others.
+  [[nodiscard]] std::uint64_t numbering() const { return numbering_; }
+
   /// Calls `visit(contact)` for every pair that touches, in order.
   template <class Visit>
   void for_each_touching(Visit&& visit) const {
@@ -58,14 +62,15 @@ class ContactList {
       for (const std::uint32_t k : touching(task)) visit(pairs_[k]);
   }
 
-  /// Calls `visit(contact)` for every touching pair with a body of a task of `for_each_task`, once,
-  /// in order: so tasks that gather by body can do so side by side.
+  /// Calls `visit(contact, place)` for every touching pair with a body of a task of
+  /// `for_each_task`, once, in order of their places among all pairs: so tasks that gather by body
+  /// can do so side by side.
   template <class Visit>
   void for_each_touching_of(std::size_t task, Visit&& visit) const {
     if (task >= tasks_.size()) return;
     for (const std::uint32_t k : tasks_[task].of_others)
-      if (pairs_[k].touching) visit(pairs_[k]);
-    for (const std::uint32_t k : touching(tasks_[task])) visit(pairs_[k]);
+      if (pairs_[k].touching) visit(pairs_[k], k);
+    for (const std::uint32_t k : touching(tasks_[task])) visit(pairs_[k], k);
   }
 
   /// Velocity of b's image relative to a at their contact [m/s].
@@ -206,6 +211,9 @@ class ContactList {
       pair.at_platen = particles.body(pair.a).motion == Motion::platen ||
                        particles.body(pair.b).motion == Motion::platen;
     }
+    numbering_ = keys_.size();
+    for (const Key& k : keys_)
+      numbering_ = spread_bits(numbering_ ^ (static_cast<std::uint64_t>(k.a) << 32 | k.b));
     share_out(particles.size());
   }
 
@@ -401,6 +409,7 @@ class ContactList {
   [[no_unique_address]] Plane plane_{};
   std::vector<ContactType> pairs_;
   std::vector<double> apart_until_;  // pair by pair, in terms of Travel::so_far()
+  std::uint64_t numbering_ = 0;
   std::vector<Task> tasks_;
   std::vector<std::uint32_t> touching_;  // of each task, at the place of its pairs
   double slipped_ = 0;

@@ -77,16 +77,19 @@ class CrackSearch {
                                    };
 
   // Whether particle i has to be evaluated. Depends on i alone, and changes nothing of others.
-  template <class BreakagePart, class StressPart>
-  [[nodiscard]] bool asks(const BreakagePart&, const Particles& particles, BodyIndex i,
-                          const ParticleStress<StressPart>& stresses) {
+  template <class BreakagePart, class Contacts, class StressPart>
+  [[nodiscard]] bool asks(const BreakagePart&, const Particles& particles, const Contacts& contacts,
+                          BodyIndex i, ParticleStress<StressPart>& stresses) {
     if (!particles.body(i).is_free()) return false;
+    stresses.gather(contacts, i);
     Refusal& refusal = refusals_[i];
     if (refusal.active && refusal.partners == stresses.partners(particles, i)) return false;
     refusal.active = false;
-    if (stresses.contact_count(i) == 0) return false;
-    if constexpr (foreseen<BreakagePart, StressPart>) return !stresses.known_to_hold(particles, i);
-    return true;
+    if constexpr (foreseen<BreakagePart, StressPart>) {
+      if (stresses.contact_count(i) > 0) return !stresses.known_to_hold(particles, i);
+      stresses.watch_for_contacts(i);
+    }
+    return stresses.contact_count(i) > 0;
   }
 
   // Everyone that has to be evaluated, in order.
@@ -94,14 +97,21 @@ class CrackSearch {
   void find_suspects(const BreakagePart& breakage, const Particles& particles,
                      const Contacts& contacts, ParticleStress<StressPart>& stresses,
                      const E& execution) {
-    stresses.begin_gather(particles);
+    stresses.begin_gather(particles, contacts);
     task_suspects_.resize(task_count(particles.size()));
     for_each_task(execution, particles.size(),
                   [&](std::size_t task, std::size_t first, std::size_t last) {
-                    stresses.gather_task(contacts, task, first, last);
                     task_suspects_[task].clear();
-                    for (auto i = static_cast<BodyIndex>(first); i < last; ++i)
-                      if (asks(breakage, particles, i, stresses)) task_suspects_[task].push_back(i);
+                    const auto ask = [&](BodyIndex i) {
+                      if (asks(breakage, particles, contacts, i, stresses))
+                        task_suspects_[task].push_back(i);
+                    };
+                    if constexpr (foreseen<BreakagePart, StressPart>) {
+                      stresses.watch_task(particles, contacts, task, first, last, ask);
+                    } else {
+                      stresses.begin_task(task);
+                      for (auto i = static_cast<BodyIndex>(first); i < last; ++i) ask(i);
+                    }
                   });
     suspects_.clear();
     for (const auto& some : task_suspects_)

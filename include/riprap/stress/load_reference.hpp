@@ -2,6 +2,7 @@
 /// @file
 /// How far can the stresses in a particle have moved since its loads were last evaluated?
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -9,6 +10,8 @@
 #include <span>
 
 #include <riprap/stress/compact_operator.hpp>
+#include <riprap/stress/corner_way.hpp>
+#include <riprap/stress/load_watch.hpp>
 
 namespace riprap {
 
@@ -18,16 +21,27 @@ struct ContactLoad {
   Vec2 force{0, 0};         ///< on the particle [N]
   double normal_force = 0;  ///< [N]
   std::uint32_t partner = 0;
+  std::uint32_t side = 0;  ///< which one of which pair, as by PairIndex
 };
 
 /// The loads of one particle at its last evaluation, in its own frame, and by how much the stresses
 /// may move before it has to be evaluated again. The Frobenius norm of the change is bounded by
 /// that of the change of forces at the places of then, a quadratic form in them, plus what each
-/// contact adds by moving, by opening or by being new. Single precision; the margins cover it.
+/// contact adds by moving or by being new. Single precision; the margins cover it.
+///
+/// Where that leaves something of the limit, it is shared out in prices: be a contact then at g
+/// more of force and a way w along the boundary, and now at d more and v farther. The norm of a sum
+/// is no more than the sum of the norms, so the bound has grown by no more than
+///     v (s + u |g|) + (w + v) u |d| + n_x |d_x| + n_y |d_y|
+/// with s the steepness of the force of the reference, u and n those of unit forces. While v is
+/// kept below a hold h, that is linear in the changes.
 class LoadReference {
  public:
   /// Contacts in a reference; a particle with more has to be evaluated every time.
   static constexpr std::size_t capacity = 10;
+  /// Contacts with which it can be told whether a particle holds.
+  static constexpr std::size_t most_loads = 2 * capacity;
+  using Prices = std::array<LoadPrice, most_loads>;
 
   /// No change is known to be harmless.
   void forget() { limit_ = -1; }
@@ -49,12 +63,13 @@ class LoadReference {
       const double hold = safely(std::min(places[c].hold, op.reach(at)), arm);
       contacts_[c] = {.x = static_cast<float>(arm.x()),
                       .y = static_cast<float>(arm.y()),
-                      .hold_square = static_cast<float>(hold * std::abs(hold)),
+                      .hold = static_cast<float>(hold),
                       .steepness = static_cast<float>(op.steepness(at, force)),
                       .unit_steepness = static_cast<float>(op.steepness(at)),
-                      .unit_norm = 0,  // by keep_products
+                      .norm_x = 0,  // by keep_products
+                      .norm_y = 0,
                       .partner = loads[c].partner};
-      corners_[c] = corner_of(places[c], arm);
+      corners_[c] = {places[c], safely(places[c].corner_hold, arm), round_off * arm.lpNorm<1>()};
       forces_[2 * c] = static_cast<float>(force.x());
       forces_[2 * c + 1] = static_cast<float>(force.y());
       forces += force.norm();
@@ -69,49 +84,17 @@ class LoadReference {
 
   /// True if the stresses under `loads` are known to be within the limit of those evaluated.
   [[nodiscard]] bool holds(std::span<const ContactLoad> loads, const Rotation& rotation) const {
-    if (!(limit_ > 0)) return false;
-    std::array<float, 2 * capacity> change;
-    float slack = 0;
-    float sum = 0;  // bound on the norm of the change of forces
-    std::size_t c = 0;
-    for (const ContactLoad& load : loads) {
-      const Vec2 force_now = rotation.inverse_times(load.force);
-      const auto fx = static_cast<float>(force_now.x());
-      const auto fy = static_cast<float>(force_now.y());
-      const float size = std::abs(fx) + std::abs(fy);
-      for (; c < count_ && contacts_[c].partner < load.partner; ++c) sum += open(change, c);
-      if (c == count_ || contacts_[c].partner != load.partner) {
-        slack += largest_norm_ * size;
-        continue;
-      }
-      const Contact& then = contacts_[c];
-      const Vec2 arm = rotation.inverse_times(load.arm);
-      const float dx = static_cast<float>(arm.x()) - then.x;
-      const float dy = static_cast<float>(arm.y()) - then.y;
-      const float moved = dx * dx + dy * dy;
-      float along = 0;
-      if (moved <= then.hold_square)
-        along = std::sqrt(moved);
-      else if (moved <= corners_[c].hold_square)
-        along = corners_[c].way(static_cast<float>(arm.x()), static_cast<float>(arm.y()));
-      else
-        return false;
-      const float by_x = fx - forces_[2 * c];
-      const float by_y = fy - forces_[2 * c + 1];
-      change[2 * c] = by_x;
-      change[2 * c + 1] = by_y;
-      const float by = std::abs(by_x) + std::abs(by_y);
-      slack += along * (then.steepness + then.unit_steepness * by) +
-               static_cast<float>(margin) * largest_norm_ * size;
-      sum += then.unit_norm * by;
-      ++c;
-    }
-    for (; c < count_; ++c) sum += open(change, c);
-    const float left = limit_ - slack;
-    // The norm of a sum is no more than the sum of the norms: often that is enough, and saves the
-    // form, a fourth of the instructions.
-    if (sum <= left) return true;
-    return left > 0 && norm_square(change) <= left * left;
+    Comparison now;
+    return compare(loads, rotation, now) >= 0;
+  }
+  /// The same; if so, every load has a price at which a LoadWatch may go on from here.
+  [[nodiscard]] bool holds(std::span<const ContactLoad> loads, const Rotation& rotation,
+                           Prices& prices) const {
+    Comparison now;
+    const float left = compare(loads, rotation, now);
+    if (!(left >= 0)) return false;
+    find_prices({now.met.data(), loads.size()}, left, prices);
+    return true;
   }
 
  private:
@@ -120,56 +103,144 @@ class LoadReference {
 
   struct Contact {
     float x, y;  // arm [m]
-    float hold_square;
+    float hold;
     float steepness;       // of its force
     float unit_steepness;  // of a unit force
-    float unit_norm;       // of a unit force along either axis, the larger one
+    float norm_x, norm_y;  // of a unit force along either axis
     std::uint32_t partner;
   };
 
-  // Places near the corner of a particle, the most common ones, change edges often. What their
-  // boundary points then move by follows from the edges: that of the longer foot is the nearer one.
-  struct Corner {
-    float hold_square = -1;
-    float x = 0, y = 0;
-    float before_x = 0, before_y = 0;
-    float after_x = 0, after_y = 0;
-    float from_corner = 0;
-    float round_off = 0;
-
-    [[nodiscard]] float way(float arm_x, float arm_y) const {
-      const float dx = arm_x - x;
-      const float dy = arm_y - y;
-      const float before = std::max(0.0f, dx * before_x + dy * before_y);
-      const float after = std::max(0.0f, dx * after_x + dy * after_y);
-      const float if_before = std::abs(before + from_corner);
-      const float if_after = std::abs(after - from_corner);
-      if (before > after + round_off) return if_before;
-      if (after > before + round_off) return if_after;
-      return std::max(if_before, if_after);
-    }
-  };
   using Changes = std::array<float, 2 * capacity>;
 
-  // Contact c is no more. Returns what that adds to the norm at most.
-  [[nodiscard]] float open(Changes& change, std::size_t c) const {
-    change[2 * c] = -forces_[2 * c];
-    change[2 * c + 1] = -forces_[2 * c + 1];
-    return contacts_[c].unit_norm * (std::abs(forces_[2 * c]) + std::abs(forces_[2 * c + 1]));
+  // A load beside that of the same contact in the reference.
+  struct Meeting {
+    Vec2 arm, force;  // in the particle's own frame
+    std::size_t contact;
+    float moved;  // the arm
+    float along;  // the boundary, at most
+    float by;     // the force, sum of its components
+  };
+  static constexpr std::size_t fresh = capacity;  // contact of a load that has come since
+  struct Comparison {
+    std::array<Meeting, most_loads> met;
+    Changes change;
+  };
+
+  // What is left of the limit; less than nothing if it may be passed.
+  [[nodiscard]] float compare(std::span<const ContactLoad> loads, const Rotation& rotation,
+                              Comparison& now) const {
+    if (!(limit_ > 0) || loads.size() > most_loads) return -1;
+    float slack = 0;
+    std::size_t c = 0;
+    for (std::size_t k = 0; k < loads.size(); ++k) {
+      for (; c < count_ && contacts_[c].partner < loads[k].partner; ++c) open(now.change, c);
+      Meeting& met = now.met[k];
+      met = {.arm = rotation.inverse_times(loads[k].arm),
+             .force = rotation.inverse_times(loads[k].force),
+             .contact = fresh,
+             .moved = 0,
+             .along = 0,
+             .by = 0};
+      const auto fx = static_cast<float>(met.force.x());
+      const auto fy = static_cast<float>(met.force.y());
+      const float size = std::abs(fx) + std::abs(fy);
+      if (c == count_ || contacts_[c].partner != loads[k].partner) {
+        slack += largest_norm_ * size;
+        continue;
+      }
+      met.contact = c;
+      if (!find_way(met)) return -1;
+      now.change[2 * c] = fx - forces_[2 * c];
+      now.change[2 * c + 1] = fy - forces_[2 * c + 1];
+      met.by = std::abs(now.change[2 * c]) + std::abs(now.change[2 * c + 1]);
+      slack += met.along * (contacts_[c].steepness + contacts_[c].unit_steepness * met.by) +
+               static_cast<float>(margin) * largest_norm_ * size;
+      ++c;
+    }
+    for (; c < count_; ++c) open(now.change, c);
+    const float left = limit_ - slack;
+    return left > 0 ? left - std::sqrt(std::max(0.0f, norm_square(now.change))) : -1;
   }
 
-  [[nodiscard]] static Corner corner_of(const OutlinePoint& place, const Vec2& arm) {
-    const double hold = safely(place.corner_hold, arm);
-    if (!(hold > 0)) return {};
-    return {.hold_square = static_cast<float>(hold * hold),
-            .x = static_cast<float>(place.corner.x()),
-            .y = static_cast<float>(place.corner.y()),
-            .before_x = static_cast<float>(place.before.x()),
-            .before_y = static_cast<float>(place.before.y()),
-            .after_x = static_cast<float>(place.after.x()),
-            .after_y = static_cast<float>(place.after.y()),
-            .from_corner = static_cast<float>(place.from_corner),
-            .round_off = static_cast<float>(round_off * arm.lpNorm<1>())};
+  // False if the arm has left where steepness is known.
+  [[nodiscard]] bool find_way(Meeting& met) const {
+    const Contact& then = contacts_[met.contact];
+    const CornerWay& corner = corners_[met.contact];
+    const auto x = static_cast<float>(met.arm.x());
+    const auto y = static_cast<float>(met.arm.y());
+    met.moved = std::sqrt((x - then.x) * (x - then.x) + (y - then.y) * (y - then.y));
+    if (met.moved <= then.hold)
+      met.along = met.moved;
+    else if (met.moved <= corner.hold)
+      met.along = corner.way(corner.feet(x, y));
+    else
+      return false;
+    return true;
+  }
+
+  // Contact c is no more.
+  void open(Changes& change, std::size_t c) const {
+    change[2 * c] = -forces_[2 * c];
+    change[2 * c + 1] = -forces_[2 * c + 1];
+  }
+
+  // How far a contact may go on from here, and what is known of it until there.
+  struct Freedom {
+    float hold = 0;       // of its arm
+    float along = 0;      // the boundary, already
+    float steepness = 0;  // of its force, as it is
+    float cost = 0;       // part of what is left
+  };
+
+  // A place near a corner stays on its edge, if that leaves it enough to go; or it may change edges
+  // and the jump is paid for now, if that costs no more than `share` of what is left.
+  [[nodiscard]] Freedom freedom(const Meeting& met, float share) const {
+    const Contact& then = contacts_[met.contact];
+    const CornerWay& corner = corners_[met.contact];
+    const float steepness = then.steepness + then.unit_steepness * met.by;
+    Freedom free{.hold = then.hold - met.moved, .along = met.along, .steepness = steepness};
+    const float hold = corner.hold - met.moved;
+    if (!(hold > free.hold)) return free;
+    const auto feet = corner.feet(static_cast<float>(met.arm.x()), static_cast<float>(met.arm.y()));
+    free.hold = std::max(free.hold, std::min(corner.edge_hold(feet), hold));
+    const float along = std::max(met.along, feet.longer_way());
+    const float cost = (along - met.along) * steepness;
+    if (free.hold * steepness > share || cost > share) return free;
+    return {.hold = hold, .along = along, .steepness = steepness, .cost = cost};
+  }
+
+  // In terms of the norm. The way is kept so short that it does not add much to the price of force.
+  [[nodiscard]] FourFloats price(const Contact& then, const Freedom& free, float budget) const {
+    const float short_way = 0.25f * std::min(then.norm_x, then.norm_y) / then.unit_steepness;
+    const float way = std::min({short_way, free.hold, budget / free.steepness});
+    if (!(way > 0)) return LoadPrice{}.price;
+    const float more =
+        then.unit_steepness * (free.along + way) + static_cast<float>(margin) * largest_norm_;
+    return FourFloats{budget / way, budget / way, then.norm_x + more, then.norm_y + more};
+  }
+
+  // By coming so far the loads have left `left` of the limit.
+  void find_prices(std::span<const Meeting> met, float left, Prices& prices) const {
+    float budget = (1 - 2 * static_cast<float>(margin)) * left;
+    const float share = 0.5f * budget / static_cast<float>(met.size());
+    std::array<Freedom, most_loads> free;
+    for (std::size_t k = 0; k < met.size(); ++k) {
+      if (met[k].contact == fresh) continue;
+      free[k] = freedom(met[k], share);
+      budget -= free[k].cost;
+    }
+    float errors = 0;
+    for (std::size_t k = 0; k < met.size(); ++k) {
+      const FourFloats norms = met[k].contact == fresh
+                                   ? FourFloats{0, 0, largest_norm_, largest_norm_}
+                                   : price(contacts_[met[k].contact], free[k], budget);
+      prices[k] = {met[k].arm, met[k].force, norms};
+      errors += prices[k].round_off();
+    }
+    // Nothing is known where round-off alone may cost the budget.
+    const float rest = budget - errors;
+    const float scale = rest > 0 ? 1 / rest : LoadPrice::none;
+    for (std::size_t k = 0; k < met.size(); ++k) prices[k].price *= scale;
   }
 
   // Of differences of arms, with room.
@@ -200,8 +271,8 @@ class LoadReference {
       upper[2 * c] = inflated * own(0, 0);
       lower[2 * c] = own(0, 1) + own(1, 0);
       lower[2 * c + 1] = inflated * own(1, 1);
-      contacts_[c].unit_norm =
-          static_cast<float>(1 + margin) * std::sqrt(std::max(upper[2 * c], lower[2 * c + 1]));
+      contacts_[c].norm_x = static_cast<float>(1 + margin) * std::sqrt(upper[2 * c]);
+      contacts_[c].norm_y = static_cast<float>(1 + margin) * std::sqrt(lower[2 * c + 1]);
       upper = lower + 2 * c + 2;
     }
   }
@@ -222,7 +293,7 @@ class LoadReference {
   float largest_norm_ = 0;
   std::uint32_t count_ = 0;
   std::array<Contact, capacity> contacts_;
-  std::array<Corner, capacity> corners_;
+  std::array<CornerWay, capacity> corners_;
   std::array<float, 2 * capacity> forces_;
   std::array<float, capacity * (2 * capacity + 1)> products_;
 };

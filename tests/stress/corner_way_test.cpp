@@ -1,0 +1,102 @@
+#include <riprap/stress/corner_way.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include <support/loaded_particle.hpp>
+#include <support/near.hpp>
+
+using namespace riprap;
+using test::near;
+
+namespace {
+
+// Of places in single precision: four times half a unit in the last place of 16 mm.
+constexpr double round_off = 4e-9;
+
+// A place within a hundredth or so of the size from a corner, and where it is on the boundary.
+struct Near {
+  Near(const Mesh& mesh, const Outline& outline, Random& random) {
+    const std::uint32_t node =
+        mesh.corners[random.uniform_integer(0, static_cast<unsigned>(mesh.corners.size()) - 1)];
+    const double deep = std::pow(10, random.uniform(-4, -2));
+    const Rotation aside = Rotation::from_angle(random.uniform(-0.01, 0.01));
+    place = aside * ((1 - deep) * mesh.nodes[node]);
+    point = outline.nearest(place);
+  }
+  Vec2 place;
+  OutlinePoint point;
+};
+
+CornerWay::Feet feet_at(const CornerWay& corner, const Vec2& place) {
+  return corner.feet(static_cast<float>(place.x()), static_cast<float>(place.y()));
+}
+
+}  // namespace
+
+TEST_CASE("the way along the boundary is that between the boundary points, round the corner too") {
+  Random random(61);
+  int round = 0;
+  int checked = 0;
+  for (int sample = 0; sample < 100; ++sample) {
+    const Mesh mesh = test::random_mesh(random, 100);
+    const Outline outline(mesh);
+    for (int k = 0; k < 20; ++k) {
+      const Near then(mesh, outline, random);
+      if (!(then.point.corner_hold > 1e-5)) continue;
+      const CornerWay corner(then.point, then.point.corner_hold, round_off);
+      const Rotation way = Rotation::from_angle(random.uniform(-3.2, 3.2));
+      const double far = std::pow(10, random.uniform(-3, 0)) * then.point.corner_hold;
+      const Vec2 place = then.place + 0.999 * far * Vec2{way.cosine, way.sine};
+      const OutlinePoint now = outline.nearest(place);
+      const CornerWay::Feet feet = feet_at(corner, place);
+      // Both are known from the same corner.
+      REQUIRE(now.corner == then.point.corner);
+      const double expected = std::abs(now.from_corner - then.point.from_corner);
+      const auto found = static_cast<double>(corner.way(feet));
+      if (std::abs(feet.before - feet.after) > corner.round_off)
+        CHECK(found == near(expected, round_off));
+      else
+        CHECK(found >= expected - round_off);
+      CHECK(static_cast<double>(feet.longer_way()) >= expected - round_off);
+      round += now.from_corner * then.point.from_corner < 0;
+      ++checked;
+    }
+  }
+  CHECK(checked > 1000);
+  CHECK(round > 100);
+}
+
+TEST_CASE("no way is longer by more than the place has moved while it stays on its edge") {
+  Random random(62);
+  int other_edge = 0;
+  int checked = 0;
+  for (int sample = 0; sample < 100; ++sample) {
+    const Mesh mesh = test::random_mesh(random, 100);
+    const Outline outline(mesh);
+    for (int k = 0; k < 20; ++k) {
+      const Near then(mesh, outline, random);
+      if (!(then.point.corner_hold > 1e-5)) continue;
+      const CornerWay corner(then.point, then.point.corner_hold, round_off);
+      const auto hold = static_cast<double>(corner.edge_hold(feet_at(corner, then.place)));
+      if (!(hold > 1e-7 && hold < then.point.corner_hold)) continue;
+      const Rotation way = Rotation::from_angle(random.uniform(-3.2, 3.2));
+      const Vec2 step = hold * Vec2{way.cosine, way.sine};
+      const double before = then.point.from_corner;
+      const double after = outline.nearest(then.place + 0.999 * step).from_corner;
+      CHECK(before * after > 0);
+      CHECK(std::abs(after - before) <= hold);
+      // It is not much smaller than it might be.
+      other_edge += outline.nearest(then.place + 2 * step).from_corner * before < 0;
+      ++checked;
+    }
+  }
+  CHECK(checked > 500);
+  CHECK(other_edge > 50);
+}
+
+TEST_CASE("without a corner there is no hold") {
+  CHECK(CornerWay{}.hold < 0);
+  CHECK(CornerWay(OutlinePoint{}, -1e-9, round_off).hold < 0);
+}
