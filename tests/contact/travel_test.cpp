@@ -2,12 +2,15 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <vector>
 
 #include <riprap/core/random.hpp>
 #include <riprap/geometry/random_polygon.hpp>
+#include <support/near.hpp>
 
 using namespace riprap;
+using test::near_relative;
 
 namespace {
 
@@ -58,6 +61,26 @@ TEST_CASE("no vertex ever moves farther between two times than the bound has gro
       pasts.push_back({now, travel.until_closed(0.01)});
     }
     CHECK(judged > 30);  // the bound is of use
+  }
+}
+
+TEST_CASE("who is followed by those who move it has gone as far as who is measured later") {
+  Particles particles(1, 1);
+  constexpr std::size_t count = task_size + 10;  // two tasks
+  for (std::size_t i = 0; i < count; ++i) particles.add({{0, 0}, {1, 0}, {0, 1}}, Motion::free);
+  const auto move = [&](BodyIndex i, double way) { particles.body(i).position += Vec2{way, 0}; };
+  // Which tasks are followed: none, the one of the farther way, the other, both.
+  for (const unsigned followed : {0U, 1U, 2U, 3U}) {
+    Travel<OpenPlane> travel;
+    travel.restart(particles, {});
+    for (int step = 1; step <= 2; ++step) {
+      move(3, 0.01);
+      move(count - 1, 0.002);
+      if (followed & 1U) travel.follow(particles, 0, 0, task_size);
+      if (followed & 2U) travel.follow(particles, 1, task_size, count);
+      travel.update(particles, {}, 1, 1);
+      CHECK(travel.so_far() == near_relative(std::sqrt(2.0) * 0.01 * step, 1e-12));
+    }
   }
 }
 

@@ -27,6 +27,11 @@ class NeighbourSearch {
 
   explicit NeighbourSearch(Broad broad) : broad_(std::move(broad)) {}
 
+  /// See `Travel::follow`.
+  void follow(const Particles& particles, std::size_t task, std::size_t first, std::size_t last) {
+    travel_.follow(particles, task, first, last);
+  }
+
   /// Follows the bodies to their present poses. True once pairs may be missing.
   template <Execution E = Serial>
   [[nodiscard]] bool stale(const Particles& particles, const Plane& plane,

@@ -23,23 +23,30 @@ class Travel {
   /// What `so_far` will be at the earliest when two vertices that are `gap` apart now meet [m].
   [[nodiscard]] double until_closed(double gap) const { return before_ + 0.5 * gap - now_; }
 
+  /// Measures the ways of bodies `first` to `last`, those of a task, at the present poses: for who
+  /// has just moved them and has them in the cache. `update` measures those that were left out.
+  void follow(const Particles& particles, std::size_t task, std::size_t first, std::size_t last) {
+    if (particles.size() != poses_.size()) return;
+    double squared = 0;
+    for (std::size_t i = first; i < last; ++i)
+      squared = std::max(squared, poses_[i].way_squared(particles.body(static_cast<BodyIndex>(i))));
+    longest_[task] = squared;
+  }
+
   /// Brings the bound to the present poses. Ways are measured from a pose that is taken anew when
   /// one is longer than `stride` [m]: bodies that only tremble do not add up.
   /// @param farthest_image how many periods the two bodies of a pair may be apart
   template <Execution E = Serial>
   void update(const Particles& particles, const Plane& plane, double stride, int farthest_image,
               const E& execution = {}) {
-    longest_.resize(task_count(poses_.size()));
-    for_each_task(
-        execution, poses_.size(), [&](std::size_t task, std::size_t first, std::size_t last) {
-          double squared = 0;
-          for (std::size_t i = first; i < last; ++i)
-            squared =
-                std::max(squared, poses_[i].way_squared(particles.body(static_cast<BodyIndex>(i))));
-          longest_[task] = squared;
-        });
+    if (std::find(longest_.begin(), longest_.end(), unknown) != longest_.end())
+      for_each_task(execution, poses_.size(),
+                    [&](std::size_t task, std::size_t first, std::size_t last) {
+                      follow(particles, task, first, last);
+                    });
     double squared = 0;
     for (const double longest : longest_) squared = std::max(squared, longest);
+    std::fill(longest_.begin(), longest_.end(), unknown);
     now_ = std::sqrt(squared);
     if constexpr (Plane::periodic) {
       // Images move with the cell; each body of a pair takes half.
@@ -58,6 +65,7 @@ class Travel {
     for (BodyIndex i = 0; i < particles.size(); ++i)
       poses_.push_back({particles.body(i).position, particles.body(i).rotation,
                         particles.shape(i).circumradius});
+    longest_.assign(task_count(poses_.size()), unknown);
   }
   [[nodiscard]] std::size_t bodies() const { return poses_.size(); }
 
@@ -77,6 +85,7 @@ class Travel {
   };
 
   std::vector<Pose> poses_;
+  static constexpr double unknown = -1;
   std::vector<double> longest_;  // squares of the longest ways, task by task
   [[no_unique_address]] Plane plane_{};
   double before_ = 0;

@@ -214,8 +214,11 @@ class Simulation {
   void advance_bodies() {
     const auto step = body_step();
     work_.boundary += step.first_kick_time() * contacts_.image_power();
-    step_bodies(
-        [&](BodyIndex first, BodyIndex last) { return step.advance(particles_, first, last); });
+    step_bodies([&](std::size_t task, BodyIndex first, BodyIndex last) {
+      const BodyWork work = step.advance(particles_, first, last);
+      contacts_.follow(particles_, task, first, last);
+      return work;
+    });
     time_ += time_step_;
   }
 
@@ -224,19 +227,20 @@ class Simulation {
     if constexpr (decltype(body_step())::needs_finish) {
       const auto step = body_step();
       work_.boundary += step.second_kick_time() * contacts_.image_power();
-      step_bodies(
-          [&](BodyIndex first, BodyIndex last) { return step.finish(particles_, first, last); });
+      step_bodies([&](std::size_t, BodyIndex first, BodyIndex last) {
+        return step.finish(particles_, first, last);
+      });
     }
   }
 
-  // Books the work that `step(first, last)` returns, task by task.
+  // Books the work that `step(task, first, last)` returns, task by task.
   template <class Step>
   void step_bodies(Step&& step) {
     task_work_.resize(task_count(particles_.size()));
     for_each_task(model_.execution_policy, particles_.size(),
                   [&](std::size_t task, std::size_t first, std::size_t last) {
                     task_work_[task] =
-                        step(static_cast<BodyIndex>(first), static_cast<BodyIndex>(last));
+                        step(task, static_cast<BodyIndex>(first), static_cast<BodyIndex>(last));
                   });
     for (const BodyWork& work : task_work_) work_ += work;
   }
