@@ -1,5 +1,6 @@
 #include <riprap/core/vec2.hpp>
 
+#include <concepts>
 #include <doctest/doctest.h>
 #include <numbers>
 
@@ -99,4 +100,39 @@ TEST_CASE("one turn brings a stretched rotation back towards unit length") {
   const Rotation stretched{1 + 1e-4, 0};
   const Rotation r = stretched.turned(0.01);
   CHECK(std::abs(std::hypot(r.cosine, r.sine) - 1) <= 1.6e-8);
+}
+
+// A sum, product or quotient of two doubles has one correct rounding: no bit may differ.
+TEST_CASE("arithmetic of vectors is that of Eigen, and its results are vectors") {
+  const Vec2 a{1.25, -3.1};
+  const Vec2 b{-0.7, 2.9};
+  const Eigen::Vector2d u = a;
+  const Eigen::Vector2d v = b;
+  CHECK(a + b == u + v);
+  CHECK(a - b == u - v);
+  CHECK(-a == -u);
+  CHECK(0.3 * a == 0.3 * u);
+  CHECK(3 * a == 3.0 * u);
+  CHECK(a * 0.3 == u * 0.3);
+  CHECK(a / 0.3 == u / 0.3);
+  CHECK(0.5 * (a - 2 * b) / 3u == 0.5 * (u - 2 * v) / 3);
+  Vec2 sum = a;
+  sum += b;
+  sum -= 2 * a;
+  CHECK(sum == (u + v) - 2 * u);
+  static_assert(std::same_as<decltype(0.5 * (a + b) - a / 2), Vec2>);
+}
+
+TEST_CASE("vectors mix with matrices and expressions of Eigen") {
+  const Vec2 a{1, -3};
+  const Eigen::Vector2d u{4, 5};
+  const Eigen::Matrix2d turn{{0, -1}, {1, 0}};
+  CHECK((a + u) == Vec2(5, 2));
+  CHECK((u - a) == Vec2(3, 8));
+  CHECK((a + turn * a) == Vec2(4, -2));
+  CHECK((turn * a - a) == Vec2(2, 4));
+  Vec2 sum = a;
+  sum += turn * u;
+  sum -= u;
+  CHECK(sum == Vec2(-8, -4));
 }

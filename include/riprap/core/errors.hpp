@@ -24,16 +24,25 @@ struct SimulationError : std::runtime_error {
 };
 
 /// Shortest text that reads back as the same number.
-[[nodiscard]] inline std::string to_text(double value) {
+[[nodiscard, gnu::cold]] inline std::string to_text(double value) {
   char buffer[32];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
   return {buffer, end};
 }
 
+namespace internal {
+
+// Out of line and made small: its text is not put together again wherever a rule is asked for.
+[[noreturn, gnu::cold, gnu::noinline]] inline void
+throw_invalid(std::string_view name, double value, std::string_view rule) {
+  throw InvalidInput(std::string(name) + " = " + to_text(value) + ": " + std::string(rule));
+}
+
+}  // namespace internal
+
 /// Throws InvalidInput "<name> = <value>: <rule>" unless `holds`.
 inline void require(bool holds, std::string_view name, double value, std::string_view rule) {
-  if (!holds)
-    throw InvalidInput(std::string(name) + " = " + to_text(value) + ": " + std::string(rule));
+  if (!holds) internal::throw_invalid(name, value, rule);
 }
 
 inline void require_positive(std::string_view name, double value) {
@@ -44,7 +53,7 @@ inline void require_non_negative(std::string_view name, double value) {
   require(std::isfinite(value) && value >= 0, name, value, "must be a finite number, 0 or above");
 }
 
-[[nodiscard]] inline std::string particle_text(ParticleId id) {
+[[nodiscard, gnu::cold]] inline std::string particle_text(ParticleId id) {
   return "particle " + std::to_string(id);
 }
 

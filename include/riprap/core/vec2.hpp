@@ -4,7 +4,9 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <concepts>
 #include <span>
+#include <type_traits>
 
 #include <riprap/core/conventions.hpp>
 
@@ -13,6 +15,48 @@ namespace riprap {
 /// A vector of the plane. Unaligned, so that it packs into records and stays in scalar registers;
 /// it mixes freely with Eigen::Vector2d.
 using Vec2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
+
+// Arithmetic at once: Eigen's own operators make classes of every expression, 1,100 functions in a
+// program of 25 lines. Templates, so that they are taken for Vec2 itself and nothing else.
+template <std::same_as<Vec2> V>
+[[nodiscard]] inline Vec2 operator+(const V& a, const V& b) {
+  return {a.x() + b.x(), a.y() + b.y()};
+}
+template <std::same_as<Vec2> V>
+[[nodiscard]] inline Vec2 operator-(const V& a, const V& b) {
+  return {a.x() - b.x(), a.y() - b.y()};
+}
+template <std::same_as<Vec2> V>
+[[nodiscard]] inline Vec2 operator-(const V& v) {
+  return {-v.x(), -v.y()};
+}
+template <class S, std::same_as<Vec2> V>
+  requires std::is_arithmetic_v<S>
+[[nodiscard]] inline Vec2 operator*(S s, const V& v) {
+  return {s * v.x(), s * v.y()};
+}
+template <class S, std::same_as<Vec2> V>
+  requires std::is_arithmetic_v<S>
+[[nodiscard]] inline Vec2 operator*(const V& v, S s) {
+  return {v.x() * s, v.y() * s};
+}
+template <class S, std::same_as<Vec2> V>
+  requires std::is_arithmetic_v<S>
+[[nodiscard]] inline Vec2 operator/(const V& v, S s) {
+  return {v.x() / s, v.y() / s};
+}
+template <std::same_as<Vec2> V>
+inline Vec2& operator+=(V& a, const V& b) {
+  a.x() += b.x();
+  a.y() += b.y();
+  return a;
+}
+template <std::same_as<Vec2> V>
+inline Vec2& operator-=(V& a, const V& b) {
+  a.x() -= b.x();
+  a.y() -= b.y();
+  return a;
+}
 
 /// Vertices in order, counter-clockwise and open.
 using Ring = std::span<const Vec2>;

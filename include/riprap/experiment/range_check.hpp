@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <riprap/core/errors.hpp>
@@ -86,7 +87,7 @@ class RangeCheck {
 
   // Before the first step, for what is wrong now costs hours.
   template <class Sim>
-  void check_units(const BiaxialView<Sim>& view) {
+  [[gnu::cold]] void check_units(const BiaxialView<Sim>& view) {
     if (kappa(view) < limits_.least_stiffness_level)
       warnings_.push_back("stiffness level kappa = " + to_text(kappa(view)) + " below " +
                           to_text(limits_.least_stiffness_level) +
@@ -102,10 +103,17 @@ class RangeCheck {
   }
 
   template <class Sim>
-  void check(const BiaxialView<Sim>& view, const std::string& name, double limit, double value) {
-    if (value <= limit || !seen_.insert(name).second) return;
-    warnings_.push_back(name + " = " + to_text(value) + " above " + to_text(limit) + " at strain " +
-                        to_text(view.axial_strain()) + " of " + to_text(view.stage));
+  void check(const BiaxialView<Sim>& view, std::string_view name, double limit, double value) {
+    if (value > limit) warn(view, name, limit, value);
+  }
+
+  template <class Sim>
+  [[gnu::cold]] void warn(const BiaxialView<Sim>& view, std::string_view name, double limit,
+                          double value) {
+    if (!seen_.emplace(name).second) return;
+    warnings_.push_back(std::string(name) + " = " + to_text(value) + " above " + to_text(limit) +
+                        " at strain " + to_text(view.axial_strain()) + " of " +
+                        to_text(view.stage));
   }
 
   Limits limits_;

@@ -47,18 +47,34 @@ class ConvexPolygon {
   }
 
  private:
-  [[nodiscard]] std::string vertex_text(std::size_t i) const {
+  [[nodiscard, gnu::cold]] std::string vertex_text(std::size_t i) const {
     return "vertex " + std::to_string(i) + " at (" + to_text(vertices_[i].x()) + ", " +
            to_text(vertices_[i].y()) + ")";
   }
 
+  [[noreturn, gnu::cold]] void throw_vertex_count() const {
+    throw InvalidInput("polygon has " + std::to_string(size()) + " vertices: must be 3 to " +
+                       std::to_string(max_polygon_vertices));
+  }
+  [[noreturn, gnu::cold]] void throw_not_finite(std::size_t i) const {
+    throw InvalidInput("polygon " + vertex_text(i) + ": coordinates must be finite");
+  }
+
   void check_vertices() const {
-    if (size() < 3 || size() > max_polygon_vertices)
-      throw InvalidInput("polygon has " + std::to_string(size()) + " vertices: must be 3 to " +
-                         std::to_string(max_polygon_vertices));
+    if (size() < 3 || size() > max_polygon_vertices) throw_vertex_count();
     for (std::size_t i = 0; i < size(); ++i)
-      if (!vertices_[i].allFinite())
-        throw InvalidInput("polygon " + vertex_text(i) + ": coordinates must be finite");
+      if (!vertices_[i].allFinite()) throw_not_finite(i);
+  }
+
+  [[noreturn, gnu::cold]] void throw_coinciding(std::size_t i, std::size_t next) const {
+    throw InvalidInput("polygon " + vertex_text(i) + " coincides with " + vertex_text(next) +
+                       ": vertices must be distinct");
+  }
+  [[noreturn, gnu::cold]] void throw_not_left(std::size_t k, std::size_t i, double left,
+                                              double tolerance) const {
+    throw InvalidInput("polygon " + vertex_text(k) + " lies " + to_text(left) +
+                       " m to the left of the edge from " + vertex_text(i) + ": must be above " +
+                       to_text(tolerance) + " m (strictly convex, counter-clockwise)");
   }
 
   // Every vertex lies to the left of every edge: that is convexity, orientation and a single
@@ -70,9 +86,7 @@ class ConvexPolygon {
     // All edges first: beside an edge without length, its own ends would be blamed for a corner.
     for (std::size_t i = 0; i < size(); ++i) {
       const std::size_t next = (i + 1) % size();
-      if ((vertices_[next] - vertices_[i]).norm() <= tolerance)
-        throw InvalidInput("polygon " + vertex_text(i) + " coincides with " + vertex_text(next) +
-                           ": vertices must be distinct");
+      if ((vertices_[next] - vertices_[i]).norm() <= tolerance) throw_coinciding(i, next);
     }
     for (std::size_t i = 0; i < size(); ++i) {
       const std::size_t next = (i + 1) % size();
@@ -81,11 +95,7 @@ class ConvexPolygon {
       for (std::size_t k = 0; k < size(); ++k) {
         if (k == i || k == next) continue;
         const double left = cross(edge, vertices_[k] - vertices_[i]) / length;
-        if (left <= tolerance)
-          throw InvalidInput("polygon " + vertex_text(k) + " lies " + to_text(left) +
-                             " m to the left of the edge from " + vertex_text(i) +
-                             ": must be above " + to_text(tolerance) +
-                             " m (strictly convex, counter-clockwise)");
+        if (left <= tolerance) throw_not_left(k, i, left, tolerance);
       }
     }
   }

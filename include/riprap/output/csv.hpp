@@ -23,7 +23,8 @@ using CsvColumns = std::vector<std::pair<std::string_view, std::function<std::st
 
 /// The table as text.
 template <class Row>
-[[nodiscard]] std::string csv_text(const CsvColumns<Row>& columns, const std::vector<Row>& rows) {
+[[nodiscard, gnu::cold]] std::string csv_text(const CsvColumns<Row>& columns,
+                                              const std::vector<Row>& rows) {
   std::string text;
   for (std::size_t c = 0; c < columns.size(); ++c)
     text += (c ? "," : "") + std::string(columns[c].first);
@@ -64,7 +65,7 @@ template <class Row, class Value>
 }  // namespace internal
 
 /// The curve, a row per record. Directions in rad from axis 1, stresses in Pa.
-[[nodiscard]] inline std::string curve_csv(const Curve& curve) {
+[[nodiscard, gnu::cold]] inline std::string curve_csv(const Curve& curve) {
   using P = CurvePoint;
   const auto c = [](std::string_view name, auto value) { return internal::column<P>(name, value); };
   const CsvColumns<P> columns{
@@ -102,7 +103,7 @@ template <class Row, class Value>
 }
 
 /// The energy ledger of shear, a row per record, in J.
-[[nodiscard]] inline std::string energy_csv(const Curve& curve) {
+[[nodiscard, gnu::cold]] inline std::string energy_csv(const Curve& curve) {
   using P = CurvePoint;
   const auto term = [](std::string_view name, double EnergyTerms::*value) {
     return internal::column<P>(name, [value](const P& p) { return p.energy.*value; });
@@ -124,7 +125,7 @@ template <class Row, class Value>
 }
 
 /// Every break of a biaxial test. The line is given by a point [m] and an angle [rad].
-[[nodiscard]] inline std::string breakages_csv(const Curve& curve) {
+[[nodiscard, gnu::cold]] inline std::string breakages_csv(const Curve& curve) {
   using B = BiaxialBreak;
   const auto c = [](std::string_view name, auto value) { return internal::column<B>(name, value); };
   const CsvColumns<B> columns{

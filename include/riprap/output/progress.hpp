@@ -65,7 +65,7 @@ class Progress {
   }
 
   template <class Sim>
-  void print(const BiaxialView<Sim>& view) const {
+  [[gnu::cold]] void print(const BiaxialView<Sim>& view) const {
     const double elapsed = std::chrono::duration<double>(Clock::now() - begun_).count();
     std::string line = to_text(view.stage);
     line.resize(12, ' ');
@@ -84,7 +84,7 @@ class Progress {
     std::fflush(out_);
   }
 
-  void print_warnings() {
+  [[gnu::cold]] void print_warnings() {
     for (; warned_ < check_.warnings().size(); ++warned_)
       std::fprintf(out_, "%swarning: %s\n", in_place_ ? "\n" : "",
                    check_.warnings()[warned_].c_str());

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include <riprap/core/order.hpp>
 #include <riprap/core/random.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
 #include <riprap/geometry/random_polygon.hpp>
@@ -115,11 +116,10 @@ class PlacementGrid {
 /// @param draw_centre() -> a place to try
 /// @param is_clear(grid, polygon, centre) -> is it free? The grid holds all particles but platens
 template <class DrawCentre, class IsClear>
-void place_at_random(RandomPolygons& made, Assembly& assembly, DrawCentre&& draw_centre,
+void place_at_random(const RandomPolygons& made, Assembly& assembly, DrawCentre&& draw_centre,
                      IsClear&& is_clear) {
-  std::stable_sort(made.polygons.begin(), made.polygons.end(), [](const auto& a, const auto& b) {
-    return area_properties(a.ring()).area > area_properties(b.ring()).area;
-  });
+  std::vector<double> smallness;
+  for (const ConvexPolygon& p : made.polygons) smallness.push_back(-area_properties(p.ring()).area);
   const std::size_t first = assembly.particles.size();
   // The grid points into the list, which must not move.
   assembly.particles.reserve(assembly.particles.size() + made.polygons.size());
@@ -129,7 +129,8 @@ void place_at_random(RandomPolygons& made, Assembly& assembly, DrawCentre&& draw
       grid.insert(p.polygon, area_properties(p.polygon.ring()).centroid);
 
   constexpr unsigned most_tries = 100000;
-  for (const ConvexPolygon& polygon : made.polygons) {
+  for (const std::size_t k : rising_order(smallness)) {
+    const ConvexPolygon& polygon = made.polygons[k];
     for (unsigned tries = 0;; ++tries) {
       if (tries == most_tries)
         throw InvalidInput("random assembly: no room for particle " +

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <riprap/core/order.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
 #include <riprap/particle/assembly.hpp>
 
@@ -44,16 +45,14 @@ inline void sort_in_space(std::span<PlacedParticle> particles) {
   }
   // Finer than any particle.
   const double cells = 65536 / std::max({high.x() - low.x(), high.y() - low.y(), 1e-300});
-  std::vector<std::pair<std::uint64_t, std::size_t>> order;
+  std::vector<double> places;  // whole numbers, exact: 34 bits at most
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const Vec2 at = cells * (centres[i] - low);
-    order.emplace_back(internal::place_on_curve(static_cast<std::uint32_t>(at.x()),
-                                                static_cast<std::uint32_t>(at.y())),
-                       i);
+    places.push_back(static_cast<double>(internal::place_on_curve(
+        static_cast<std::uint32_t>(at.x()), static_cast<std::uint32_t>(at.y()))));
   }
-  std::sort(order.begin(), order.end());
   std::vector<PlacedParticle> sorted;
-  for (const auto& [place, i] : order) sorted.push_back(std::move(particles[i]));
+  for (const std::size_t i : rising_order(places)) sorted.push_back(std::move(particles[i]));
   std::move(sorted.begin(), sorted.end(), particles.begin());
 }
 

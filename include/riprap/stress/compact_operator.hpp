@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -89,8 +90,15 @@ class CompactOperator {
   [[nodiscard]] Eigen::Matrix2f product(const BoundaryPoint& a, const BoundaryPoint& b) const {
     const auto w = static_cast<float>(a.weight);
     const auto v = static_cast<float>(b.weight);
-    return w * v * block(a.node, b.node) + w * (1 - v) * block(a.node, b.next) +
-           (1 - w) * v * block(a.next, b.node) + (1 - w) * (1 - v) * block(a.next, b.next);
+    const std::array<Eigen::Matrix2f, 4> blocks{block(a.node, b.node), block(a.node, b.next),
+                                                block(a.next, b.node), block(a.next, b.next)};
+    const std::array<float, 4> weights{w * v, w * (1 - v), (1 - w) * v, (1 - w) * (1 - v)};
+    // A loop, where a sum of Eigen's would be 400 functions to compile.
+    Eigen::Matrix2f sums;
+    for (Eigen::Index k = 0; k < 4; ++k)
+      sums(k) = weights[0] * blocks[0](k) + weights[1] * blocks[1](k) + weights[2] * blocks[2](k) +
+                weights[3] * blocks[3](k);
+    return sums;
   }
 
   /// Largest Frobenius norm of the stresses due to a unit force anywhere on the boundary [1/m^2].
@@ -134,7 +142,9 @@ class CompactOperator {
     const auto stored = [this](std::uint32_t row, std::uint32_t column) -> const Eigen::Matrix2f& {
       return products_[row * (row + 1) / 2 + column];
     };
-    return i < j ? Eigen::Matrix2f(stored(j, i).transpose()) : stored(i, j);
+    if (i >= j) return stored(i, j);
+    const Eigen::Matrix2f& mirrored = stored(j, i);
+    return Eigen::Matrix2f{{mirrored(0, 0), mirrored(1, 0)}, {mirrored(0, 1), mirrored(1, 1)}};
   }
 
   void sum_products() {
@@ -154,7 +164,9 @@ class CompactOperator {
 
   // Largest eigenvalue of a symmetric, non-negative matrix.
   [[nodiscard]] static double largest_eigenvalue(const Eigen::Matrix2f& single) {
-    const Eigen::Matrix2d m = single.cast<double>();
+    const auto m = [&](Eigen::Index p, Eigen::Index q) {
+      return static_cast<double>(single(p, q));
+    };
     const double half = 0.5 * (m(0, 0) - m(1, 1));
     const double off = 0.5 * (m(0, 1) + m(1, 0));
     return 0.5 * (m(0, 0) + m(1, 1)) + std::sqrt(half * half + off * off);
@@ -171,9 +183,9 @@ class CompactOperator {
       const double length = (mesh.nodes[k] - mesh.nodes[j]).norm();
       const auto per_square = static_cast<float>(1 / (length * length));
       Eigen::Matrix2f form;
-      form << change.col(0).dot(change.col(0)), change.col(0).dot(change.col(1)), 0,
-          change.col(1).dot(change.col(1));
-      form(1, 0) = form(0, 1);
+      form(0, 0) = change.col(0).dot(change.col(0));
+      form(0, 1) = form(1, 0) = change.col(0).dot(change.col(1));
+      form(1, 1) = change.col(1).dot(change.col(1));
       form *= per_square;
       // Round-off of the columns themselves is 6e-8 of them, and nodes are not near each other.
       const float off = 1e-4f * form.trace();

@@ -3,13 +3,12 @@
 /// The region inside the ring of boundary particles: its area, how much of it is rock, and who has
 /// left it.
 
-#include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <riprap/core/errors.hpp>
+#include <riprap/core/order.hpp>
 #include <riprap/dynamics/boundary/concepts.hpp>
 #include <riprap/geometry/cut.hpp>
 #include <riprap/geometry/overlap.hpp>
@@ -24,17 +23,19 @@ class BoundaryPolygon {
  public:
   /// Throws InvalidInput for fewer than three.
   explicit BoundaryPolygon(const Particles& particles) : particles_(particles) {
-    for (BodyIndex i = 0; i < particles.size(); ++i)
-      if (particles.body(i).motion == Motion::strain_field) members_.push_back(i);
-    if (members_.size() < 3)
+    std::vector<BodyIndex> found;
+    std::vector<double> directions;
+    for (BodyIndex i = 0; i < particles.size(); ++i) {
+      if (particles.body(i).motion != Motion::strain_field) continue;
+      found.push_back(i);
+      directions.push_back(
+          std::atan2(particles.body(i).position.y(), particles.body(i).position.x()));
+    }
+    if (found.size() < 3)
       throw InvalidInput("a sample needs at least 3 boundary particles of Motion::strain_field; "
                          "the assembly has " +
-                         std::to_string(members_.size()));
-    std::sort(members_.begin(), members_.end(), [&](BodyIndex i, BodyIndex j) {
-      const Vec2& p = particles.body(i).position;
-      const Vec2& q = particles.body(j).position;
-      return std::pair(std::atan2(p.y(), p.x()), i) < std::pair(std::atan2(q.y(), q.x()), j);
-    });
+                         std::to_string(found.size()));
+    for (const std::size_t k : rising_order(directions)) members_.push_back(found[k]);
   }
 
   [[nodiscard]] const std::vector<BodyIndex>& members() const { return members_; }

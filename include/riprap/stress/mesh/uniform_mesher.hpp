@@ -3,7 +3,6 @@
 /// Near-uniform Delaunay triangles for any convex polygon: the default mesher.
 
 #include <algorithm>
-#include <boost/polygon/voronoi.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -13,6 +12,7 @@
 #include <riprap/core/errors.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
 #include <riprap/stress/mesh/concepts.hpp>
+#include <riprap/stress/mesh/point_voronoi.hpp>
 
 namespace riprap {
 
@@ -109,17 +109,13 @@ struct UniformMesher {
   // Boost.Polygon works on integers. All points are drawn towards the centroid by a hair that grows
   // with their distance from it, which bends the edges outwards: the hull is strictly convex, and
   // no triangle lies flat on an edge or across a corner that is nearly straight.
-  [[nodiscard]] static std::vector<boost::polygon::point_data<int>>
-  integer_points(Ring ring, const Mesh& mesh) {
+  static void insert_points(Ring ring, const Mesh& mesh, PointVoronoiBuilder& builder) {
     const double size = diameter(ring);
-    std::vector<boost::polygon::point_data<int>> points;
-    points.reserve(mesh.nodes.size());
     for (const Vec2& x : mesh.nodes) {
       const double scale = 1e9 / size * (1 - 3e-3 * x.dot(x) / (size * size));
-      points.emplace_back(static_cast<int>(std::lround(scale * x.x())),
-                          static_cast<int>(std::lround(scale * x.y())));
+      builder.insert_point(static_cast<std::int32_t>(std::lround(scale * x.x())),
+                           static_cast<std::int32_t>(std::lround(scale * x.y())));
     }
-    return points;
   }
 
   // Where a slender polygon's edges bend by less than an integer, rounding may draw a boundary
@@ -134,9 +130,10 @@ struct UniformMesher {
   // The Delaunay triangles are the duals of the Voronoi vertices; where more than three cells meet,
   // their centres are joined as a fan.
   static void triangulate(Ring ring, Mesh& mesh) {
-    const auto points = integer_points(ring, mesh);
-    boost::polygon::voronoi_diagram<double> voronoi;
-    boost::polygon::construct_voronoi(points.begin(), points.end(), &voronoi);
+    PointVoronoiBuilder builder;
+    insert_points(ring, mesh, builder);
+    PointVoronoi voronoi;
+    builder.construct(&voronoi);
     std::vector<std::uint32_t> around;
     for (const auto& vertex : voronoi.vertices()) {
       around.clear();

@@ -1,0 +1,24 @@
+#pragma once
+/// @file
+/// The order of things by a number.
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace riprap {
+
+/// Indices of `keys` in rising order, equal ones as they stand. No key may be NaN. One function for
+/// all, since every other comparison makes compilers write a sort of its own.
+[[nodiscard]] inline std::vector<std::size_t> rising_order(std::span<const double> keys) {
+  std::vector<std::pair<double, std::size_t>> sorted;
+  for (std::size_t i = 0; i < keys.size(); ++i) sorted.emplace_back(keys[i], i);
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::size_t> order;
+  for (const auto& [key, i] : sorted) order.push_back(i);
+  return order;
+}
+
+}  // namespace riprap
