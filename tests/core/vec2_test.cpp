@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <doctest/doctest.h>
+#include <limits>
 #include <numbers>
 
 #include <support/near.hpp>
@@ -121,6 +122,25 @@ TEST_CASE("arithmetic of vectors is that of Eigen, and its results are vectors")
   sum -= 2 * a;
   CHECK(sum == (u + v) - 2 * u);
   static_assert(std::same_as<decltype(0.5 * (a + b) - a / 2), Vec2>);
+}
+
+TEST_CASE("componentwise functions take each axis for itself") {
+  const Vec2 a{2, -3};
+  const Vec2 b{-5, 7};
+  CHECK(componentwise_product(a, b) == Vec2(-10, -21));
+  CHECK(componentwise_min(a, b) == Vec2(-5, -3));
+  CHECK(componentwise_max(a, b) == Vec2(2, 7));
+  CHECK(componentwise_abs(a) == Vec2(2, 3));
+}
+
+TEST_CASE("a vector is finite if both components are") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(is_finite({1e308, -1e308}));
+  CHECK(!is_finite({infinity, 0}));
+  CHECK(!is_finite({0, -infinity}));
+  CHECK(!is_finite({nan, 0}));
+  CHECK(!is_finite({0, nan}));
 }
 
 TEST_CASE("vectors mix with matrices and expressions of Eigen") {

@@ -84,16 +84,17 @@ class NeighbourSearch {
     for (std::size_t i = 0; i < particles.size(); ++i)
       mean_radius += particles.shape(static_cast<BodyIndex>(i)).circumradius;
     skin_ = 2 * broad_.relative_skin * mean_radius / static_cast<double>(particles.size());
+    const Vec2 margin{0.5 * skin_, 0.5 * skin_};
     boxes_.clear();
     for (std::size_t i = 0; i < particles.size(); ++i) {
       const auto index = static_cast<BodyIndex>(i);
       Box box{Vec2::Constant(infinity), Vec2::Constant(-infinity)};
       for (const Vec2& v : particles.ring(index)) {
-        box.low = box.low.cwiseMin(v);
-        box.high = box.high.cwiseMax(v);
+        box.low = componentwise_min(box.low, v);
+        box.high = componentwise_max(box.high, v);
       }
-      box.low.array() -= 0.5 * skin_;
-      box.high.array() += 0.5 * skin_;
+      box.low -= margin;
+      box.high += margin;
       boxes_.push_back(box);
     }
     good_until_ = travel_.until_closed(skin_);
@@ -112,7 +113,8 @@ class NeighbourSearch {
       last = {std::max(last.axis_1, home.axis_1), std::max(last.axis_2, home.axis_2)};
       images_.push_back({static_cast<BodyIndex>(i), -home});
       boxes_[i] = boxes_[i].moved(plane.offset(-home));
-      all = {all.low.cwiseMin(boxes_[i].low), all.high.cwiseMax(boxes_[i].high)};
+      all = {componentwise_min(all.low, boxes_[i].low),
+             componentwise_max(all.high, boxes_[i].high)};
     }
     for (std::size_t i = 0; i < particles.size(); ++i)
       for (const Image& step : {Image{1, -1}, Image{1, 0}, Image{1, 1}, Image{0, 1}}) {

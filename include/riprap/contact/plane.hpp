@@ -41,7 +41,7 @@ struct PeriodicPlane {
   }
   /// Of the image relative to its body [m/s].
   [[nodiscard]] Vec2 velocity(const Image& image) const {
-    return -rate.cwiseProduct(offset(image));
+    return -componentwise_product(rate, offset(image));
   }
   /// The copy of the cell that holds x.
   [[nodiscard]] Image cell_of(const Vec2& x) const {

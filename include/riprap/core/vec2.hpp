@@ -3,6 +3,7 @@
 /// Vectors and rotations of the plane.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <span>
@@ -64,6 +65,25 @@ using Ring = std::span<const Vec2>;
 /// z component of the cross product of a and b.
 [[nodiscard]] inline double cross(const Vec2& a, const Vec2& b) {
   return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Component by component.
+[[nodiscard]] inline Vec2 componentwise_product(const Vec2& a, const Vec2& b) {
+  return {a.x() * b.x(), a.y() * b.y()};
+}
+[[nodiscard]] inline Vec2 componentwise_min(const Vec2& a, const Vec2& b) {
+  return {std::min(a.x(), b.x()), std::min(a.y(), b.y())};
+}
+[[nodiscard]] inline Vec2 componentwise_max(const Vec2& a, const Vec2& b) {
+  return {std::max(a.x(), b.x()), std::max(a.y(), b.y())};
+}
+[[nodiscard]] inline Vec2 componentwise_abs(const Vec2& v) {
+  return {std::abs(v.x()), std::abs(v.y())};
+}
+
+/// Whether neither component is infinite or NaN.
+[[nodiscard]] inline bool is_finite(const Vec2& v) {
+  return std::isfinite(v.x()) && std::isfinite(v.y());
 }
 
 /// v turned by +90 degrees.

@@ -110,7 +110,7 @@ class BiaxialRun {
   void step() {
     const std::size_t breaks = sim_.breaks().size();
     std::apply([&](auto&... o) { sim_.step(o...); }, observers_);
-    view_.stretch -= sim_.time_step() * view_.rate.cwiseProduct(view_.stretch);
+    view_.stretch -= sim_.time_step() * componentwise_product(view_.rate, view_.stretch);
     view_.area = first_area_ * view_.stretch.x() * view_.stretch.y();
     for (std::size_t i = breaks; i < sim_.breaks().size(); ++i)
       tell([&](auto& o) { hooks::record_break(o, view_, sim_.breaks()[i]); });

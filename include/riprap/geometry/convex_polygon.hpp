@@ -63,7 +63,7 @@ class ConvexPolygon {
   void check_vertices() const {
     if (size() < 3 || size() > max_polygon_vertices) throw_vertex_count();
     for (std::size_t i = 0; i < size(); ++i)
-      if (!vertices_[i].allFinite()) throw_not_finite(i);
+      if (!is_finite(vertices_[i])) throw_not_finite(i);
   }
 
   [[noreturn, gnu::cold]] void throw_coinciding(std::size_t i, std::size_t next) const {

@@ -31,8 +31,8 @@ struct Ellipse {
   /// Share of the segment from p to q that lies inside [-].
   [[nodiscard]] double share_inside(const Vec2& p, const Vec2& q) const {
     // In units of the semi-axes: |p + s (q - p)|^2 = 1.
-    const Vec2 u = p.cwiseQuotient(semi_axes);
-    const Vec2 d = q.cwiseQuotient(semi_axes) - u;
+    const Vec2 u = {p.x() / semi_axes.x(), p.y() / semi_axes.y()};
+    const Vec2 d = Vec2{q.x() / semi_axes.x(), q.y() / semi_axes.y()} - u;
     const double a = d.dot(d);
     const double b = u.dot(d);
     const double discriminant = b * b - a * (u.dot(u) - 1);

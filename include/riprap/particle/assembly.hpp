@@ -30,7 +30,7 @@ struct Assembly {
     require_positive("Assembly.thickness", thickness);
     for (std::size_t i = 0; i < particles.size(); ++i) {
       const PlacedParticle& p = particles[i];
-      if (!p.velocity.allFinite() || !std::isfinite(p.angular_velocity))
+      if (!is_finite(p.velocity) || !std::isfinite(p.angular_velocity))
         throw InvalidInput(particle_text(static_cast<ParticleId>(i)) + ": velocity must be finite");
     }
   }

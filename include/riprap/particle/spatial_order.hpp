@@ -40,8 +40,8 @@ inline void sort_in_space(std::span<PlacedParticle> particles) {
   Vec2 high = low;
   for (const PlacedParticle& p : particles) {
     centres.push_back(area_properties(p.polygon.ring()).centroid);
-    low = low.cwiseMin(centres.back());
-    high = high.cwiseMax(centres.back());
+    low = componentwise_min(low, centres.back());
+    high = componentwise_max(high, centres.back());
   }
   // Finer than any particle.
   const double cells = 65536 / std::max({high.x() - low.x(), high.y() - low.y(), 1e-300});

@@ -52,7 +52,7 @@ struct UniformGrid {
           const Box& p = boxes[members[k]];
           const Box& q = boxes[members[l]];
           // Two boxes may share several cells; the one with the corner of their common part counts.
-          if (p.meets(q) && grid.cell_of(p.low.cwiseMax(q.low)) == cell)
+          if (p.meets(q) && grid.cell_of(componentwise_max(p.low, q.low)) == cell)
             visit(members[k], members[l]);
         }
   }
@@ -91,8 +91,8 @@ struct UniformGrid {
     Vec2 high = boxes[0].high;
     double extent = 0;
     for (const Box& box : boxes) {
-      low = low.cwiseMin(box.low);
-      high = high.cwiseMax(box.high);
+      low = componentwise_min(low, box.low);
+      high = componentwise_max(high, box.high);
       extent += std::max(box.high.x() - box.low.x(), box.high.y() - box.low.y());
     }
     const auto count = static_cast<double>(boxes.size());

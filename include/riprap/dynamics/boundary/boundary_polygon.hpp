@@ -54,7 +54,7 @@ class BoundaryPolygon {
   [[nodiscard]] Vec2 semi_axes() const {
     Vec2 widest{0, 0};
     for (const BodyIndex i : members_)
-      widest = widest.cwiseMax(particles_.body(i).position.cwiseAbs());
+      widest = componentwise_max(widest, componentwise_abs(particles_.body(i).position));
     return widest;
   }
 

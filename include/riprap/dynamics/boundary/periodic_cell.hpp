@@ -49,7 +49,7 @@ class PeriodicCell {
 
   [[nodiscard]] const PeriodicPlane& plane() const { return plane_; }
   void drift(double time_step) {
-    plane_.period -= time_step * plane_.rate.cwiseProduct(plane_.period);
+    plane_.period -= time_step * componentwise_product(plane_.rate, plane_.period);
   }
 
   [[nodiscard]] PeriodicRegion region(const Particles& particles) const {

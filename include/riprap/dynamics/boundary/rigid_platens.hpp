@@ -26,9 +26,11 @@ class PlatenRegion {
   /// Free particles whose centroid lies outside.
   [[nodiscard]] std::size_t lost() const {
     std::size_t count = 0;
-    for (const Body& body : particles_.bodies())
-      count += body.is_free() && ((body.position.array() < low_.array()).any() ||
-                                  (body.position.array() > high_.array()).any());
+    for (const Body& body : particles_.bodies()) {
+      const Vec2& x = body.position;
+      count += body.is_free() &&
+               (x.x() < low_.x() || x.y() < low_.y() || x.x() > high_.x() || x.y() > high_.y());
+    }
     return count;
   }
 

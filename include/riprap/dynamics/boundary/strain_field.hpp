@@ -23,7 +23,7 @@ class StrainField {
   void drive(std::vector<Body>& bodies, double /*time_step*/) const {
     for (Body& body : bodies)
       if (body.motion == Motion::strain_field) {
-        body.velocity = -rate_.cwiseProduct(body.position);
+        body.velocity = -componentwise_product(rate_, body.position);
         body.angular_velocity = 0;
       }
   }
