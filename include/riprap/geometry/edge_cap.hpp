@@ -131,7 +131,7 @@ template <class Found>
   const Numbers twice_area = edge.x * across.y - edge.y * across.x;
   const Numbers left_in = in.inside.x * across.y - in.inside.y * across.x;
   const Numbers left_out = out.inside.x * across.y - out.inside.y * across.x;
-  // No more than the square of the sum of the sides' lengths.
+  // No less than the square of the sum of the lengths of two sides.
   const Numbers size = 4 * (squared + across.x * across.x + across.y * across.y);
   const Numbers inside = left_in.min(twice_area - in.deep - left_in)
                              .min(left_out.min(twice_area - out.deep - left_out)) -

@@ -13,7 +13,7 @@ namespace internal {
 using VoronoiTraits = boost::polygon::detail::voronoi_ctype_traits<std::int32_t>;
 
 // The predicates of Boost.Polygon, but for circles that a segment touches: they are never asked
-// for, and took g++ 0.8 s of every program to compile.
+// for, and are 40 kB of code for every program to compile.
 struct PointPredicates : boost::polygon::detail::voronoi_predicates<VoronoiTraits> {
   template <class Site, class Circle>
   class circle_formation_predicate {
