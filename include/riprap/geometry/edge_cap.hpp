@@ -152,9 +152,9 @@ template <class Found>
   const auto tell = [&]<Eigen::Index k>(std::integral_constant<Eigen::Index, k>)
       __attribute__((always_inline)) {
     constexpr auto l = static_cast<std::size_t>(k);
-    if (!(least[k] > clear[k] &&
-          (inside[k] > 0 || internal::inside_all(questions[l], margin * length[k]))))
-      return;
+    const bool crossed = least[k] > clear[k];
+    if (!crossed) return;
+    if (!(inside[k] > 0) && !internal::inside_all(questions[l], margin * length[k])) return;
     const bool one_vertex = questions[l].place->one_vertex();
     found(l, EdgeCap{.normal = {normal_x[k], normal_y[k]},
                      .middle = {middle_x[k], middle_y[k]},
