@@ -69,15 +69,16 @@ struct UniformMesher {
   [[nodiscard]] static Mesh place_points(Ring ring, double spacing, double phase) {
     Mesh mesh;
     Vec2 longest{0, 0};
-    std::vector<double> lengths;
+    std::vector<Edge> edges;
     for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Vec2 edge = ring[(k + 1) % ring.size()] - ring[k];
-      if (edge.dot(edge) > longest.dot(longest)) longest = edge;
-      lengths.push_back(edge.norm());
+      const Vec2 along = ring[(k + 1) % ring.size()] - ring[k];
+      if (along.dot(along) > longest.dot(longest)) longest = along;
+      edges.push_back({ring[k], along, along.norm()});
       mesh.corners.push_back(static_cast<std::uint32_t>(mesh.nodes.size()));
-      const auto parts = static_cast<unsigned>(std::max(1.0, std::round(lengths[k] / spacing)));
+      const auto parts =
+          static_cast<unsigned>(std::max(1.0, std::round(edges[k].length / spacing)));
       for (unsigned i = 0; i < parts; ++i)
-        mesh.nodes.push_back(ring[k] + (static_cast<double>(i) / parts) * edge);
+        mesh.nodes.push_back(ring[k] + (static_cast<double>(i) / parts) * along);
     }
     mesh.boundary_nodes = static_cast<std::uint32_t>(mesh.nodes.size());
 
@@ -87,23 +88,62 @@ struct UniformMesher {
     for (const Vec2& vertex : ring) height = std::max(height, std::abs(cross(u, vertex)) / spacing);
     const int reach = static_cast<int>(1.2 * diameter(ring) / spacing) + 1;
     const int rows = static_cast<int>(1.2 * height / spacing) + 1;
-    for (int j = -rows; j <= rows; ++j)
-      for (int i = -reach; i <= reach; ++i) {
-        const Vec2 x = (i + phase) * u + (j + phase) * v;
-        if (lies_inside(ring, lengths, x, 0.6 * spacing)) mesh.nodes.push_back(x);
+    const double depth = 0.6 * spacing;
+    for (int j = -rows; j <= rows; ++j) {
+      const auto point = [&](int i) -> Vec2 { return (i + phase) * u + (j + phase) * v; };
+      const Row row = row_inside(edges, point(0), u, depth, reach);
+      for (int i = row.first; i <= row.last; ++i) {
+        const Vec2 x = point(i);
+        if ((row.surely_first <= i && i <= row.surely_last) || lies_inside(edges, x, depth))
+          mesh.nodes.push_back(x);
       }
+    }
     return mesh;
   }
 
-  // Whether x is farther than `depth` inside every edge. Most points fail at the first or second
-  // edge, and lengths are asked for once: that halves what the mesh of a particle costs.
-  [[nodiscard]] static bool lies_inside(Ring ring, const std::vector<double>& lengths,
-                                        const Vec2& x, double depth) {
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Vec2 edge = ring[k + 1 < ring.size() ? k + 1 : 0] - ring[k];
-      if (!(cross(edge, x - ring[k]) / lengths[k] > depth)) return false;
+  struct Edge {
+    Vec2 from;
+    Vec2 along;
+    double length;
+
+    [[nodiscard]] double depth_of(const Vec2& x) const { return cross(along, x - from) / length; }
+  };
+
+  [[nodiscard]] static bool lies_inside(const std::vector<Edge>& edges, const Vec2& x,
+                                        double depth) {
+    return std::all_of(edges.begin(), edges.end(),
+                       [&](const Edge& edge) { return edge.depth_of(x) > depth; });
+  }
+
+  // The points of a row that may lie inside, and those that surely do, whatever round-off says:
+  // only the few between have to be asked, which takes a fifth off an operator.
+  struct Row {
+    int first, last;
+    int surely_first, surely_last;
+  };
+  [[nodiscard]] static Row row_inside(const std::vector<Edge>& edges, const Vec2& x, const Vec2& u,
+                                      double depth, int reach) {
+    const double room = 1e-9 * depth;
+    double least = -reach, most = reach, surely_least = -reach, surely_most = reach;
+    for (const Edge& edge : edges) {
+      // Depth grows by `slope` from point to point.
+      const double slope = cross(edge.along, u) / edge.length;
+      const double missing = depth - edge.depth_of(x);
+      if (std::abs(slope) * reach < 0.1 * room) {  // along the row
+        if (missing > room) least = reach + 1;
+        if (missing > -room) surely_least = reach + 1;
+      } else if (slope > 0) {
+        least = std::max(least, (missing - room) / slope);
+        surely_least = std::max(surely_least, (missing + room) / slope);
+      } else {
+        most = std::min(most, (missing - room) / slope);
+        surely_most = std::min(surely_most, (missing + room) / slope);
+      }
     }
-    return true;
+    return {static_cast<int>(std::ceil(std::min(least, reach + 1.0))),
+            static_cast<int>(std::floor(std::max(most, -reach - 1.0))),
+            static_cast<int>(std::ceil(std::min(surely_least, reach + 1.0))),
+            static_cast<int>(std::floor(std::max(surely_most, -reach - 1.0)))};
   }
 
   // Boost.Polygon works on integers. All points are drawn towards the centroid by a hair that grows
