@@ -25,18 +25,22 @@ struct alignas(32) LoadPrice {
   FourFloats price{none, none, none, none};
 
   LoadPrice() = default;
-  LoadPrice(const Vec2& arm, const Vec2& force, const FourFloats& each)
-      : load{static_cast<float>(arm.x()), static_cast<float>(arm.y()),
-             static_cast<float>(force.x()), static_cast<float>(force.y())},
-        price{each} {}
+  LoadPrice(const FourFloats& arm_and_force, const FourFloats& each)
+      : load{arm_and_force}, price{each} {}
+
+  [[nodiscard]] static FourFloats single(const Vec2& arm, const Vec2& force) {
+    const FourDoubles exact{arm.x(), arm.y(), force.x(), force.y()};
+    return __builtin_convertvector(exact, FourFloats);
+  }
 
   /// What LoadWatch may come out short by, for round-off. A component is turned by two products of
   /// rounded numbers and a sum: off by five unit round-offs of the whole vector; three times that
   /// is allowed for. That of changes themselves, 1e-6 of them, is left to the caller.
   [[nodiscard]] float round_off() const {
     const FourFloats size = magnitude(load);
-    return 1e-6f * ((price[0] + price[1]) * (size[0] + size[1]) +
-                    (price[2] + price[3]) * (size[2] + size[3]));
+    const FourFloats both = size + __builtin_shufflevector(size, size, 1, 0, 3, 2);
+    const FourFloats off = price * both;
+    return 1e-6f * ((off[0] + off[1]) + (off[2] + off[3]));
   }
 
   /// The same for the opposite force.
@@ -70,8 +74,7 @@ class LoadWatch {
 
   /// Arm and force in laboratory axes.
   void meet(const LoadPrice& known, const Vec2& arm, const Vec2& force) {
-    const FourDoubles exact{arm.x(), arm.y(), force.x(), force.y()};
-    const FourFloats load = __builtin_convertvector(exact, FourFloats);
+    const FourFloats load = LoadPrice::single(arm, force);
     const FourFloats across = __builtin_shufflevector(load, load, 1, 0, 3, 2);
     const FourFloats change = load * cosine_ + across * sine_ - known.load;
     spent_ += LoadPrice::magnitude(change) * known.price;
