@@ -158,6 +158,12 @@ TEST_CASE("pairs are numbered anew where they have come, gone or changed places,
     Pairs now;
     for (const auto& c : list.pairs()) now.emplace_back(c.a, c.b);
     CHECK((list.numbering() == number) == (now == before));
+    CHECK(list.earlier_numbering() == number);
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      const auto place = std::find(before.begin(), before.end(), now[k]) - before.begin();
+      const bool is_new = list.earlier_place(k) == List::new_pair;
+      CHECK((is_new ? before.size() : list.earlier_place(k)) == static_cast<std::size_t>(place));
+    }
     ++(now == before ? kept : renumbered);
     before = now;
     number = list.numbering();
@@ -557,6 +563,9 @@ TEST_CASE("the pieces of a broken body take over its contacts, each those at its
     });
     b.list.update(b.particles, 0);
     CHECK(touching_count(b.list) == 2);
+    for (std::size_t k = 0; k < b.list.pairs().size(); ++k)
+      if (b.list.pairs()[k].touching)
+        CHECK((b.list.earlier_place(k) == List::new_pair) == (b.list.pairs()[k].b == b.second));
     const double slipped = b.list.slipped();
     CHECK(slipped == 0);
     // Friction too has survived: 200 N on each block, in the sense it had.

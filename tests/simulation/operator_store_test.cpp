@@ -23,9 +23,9 @@ TEST_CASE("an operator is built once and forgotten with its particle") {
   const Particles particles = row_of_triangles(1);
   OperatorStore<StressModel<>> store(StressModel<>{}, Rock{});
   CHECK(store.bytes() == 0);
-  const auto* exact = &store.exact(particles, 0);
-  CHECK(store.bytes() == exact->bytes());
+  store.begin_turn(1);
   const auto* compact = &store.compact(particles, 0);
+  const auto* exact = &store.exact(particles, 0);
   CHECK(store.bytes() == exact->bytes() + compact->bytes());
   CHECK(compact->bytes() < 0.7 * static_cast<double>(exact->bytes()));
   CHECK(&store.exact(particles, 0) == exact);
@@ -34,11 +34,31 @@ TEST_CASE("an operator is built once and forgotten with its particle") {
   CHECK(store.bytes() == 0);
 }
 
+TEST_CASE("what a compact operator was made from stays as long as a quarter of the budget does") {
+  const Particles particles = row_of_triangles(3);
+  OperatorStore<StressModel<>> store(StressModel<>{}, Rock{});
+  store.begin_turn(3);
+  const std::size_t compact = store.compact(particles, 0).bytes();
+  const std::size_t both = store.bytes();
+  CHECK(both > 2 * compact);
+  CHECK(store.bytes() == compact + store.exact(particles, 0).bytes());
+  CHECK(store.bytes() == both);  // it was there
+  // Room for one more, but not for one more after that.
+  store.set_budget(4 * 2 * both);
+  const std::size_t second = store.compact(particles, 1).bytes();
+  CHECK(store.bytes() > both + 2 * second);
+  const std::size_t before = store.bytes();
+  const std::size_t third = store.compact(particles, 2).bytes();
+  CHECK(store.bytes() == before + third);
+}
+
 TEST_CASE("operators that were not asked for longest make room, exact ones before compact ones") {
   const Particles particles = row_of_triangles(9);
   OperatorStore<StressModel<>> store(StressModel<>{}, Rock{});
+  store.set_budget(1);  // no room for what compact ones are made from
   store.begin_turn(9);
   for (BodyIndex i = 0; i < 8; ++i) (void)store.compact(particles, i);
+  store.set_budget(OperatorStore<StressModel<>>::default_budget);
   const std::size_t all_compact = store.bytes();
   (void)store.exact(particles, 0);
   store.begin_turn(9);

@@ -27,8 +27,13 @@ struct Touch {
 struct Touches {
   std::vector<Touch> list;
   std::uint64_t number;
+  std::uint64_t earlier_number = 1000;
+  std::vector<std::uint32_t> earlier{};
+  static constexpr std::uint32_t new_pair = 1000;
   std::span<const Touch> pairs() const { return list; }
   std::uint64_t numbering() const { return number; }
+  std::uint64_t earlier_numbering() const { return earlier_number; }
+  std::uint32_t earlier_place(std::size_t k) const { return earlier[k]; }
   template <class Visit>
   void for_each_touching_of(std::size_t, Visit&& visit) const {
     for (std::size_t k = 0; k < list.size(); ++k)
@@ -113,13 +118,13 @@ TEST_CASE("every particle has its own contacts and no others, across tasks too")
 TEST_CASE("partners are told apart by who they are, not by how many") {
   const Particles particles = four_triangles();
   ParticleStress<StressModel<>> stress(StressModel<>{}, Rock{});
-  stress.gather(particles, Touches{{{0, 1}, {0, 2}}, 1});
+  stress.gather(particles, Touches{.list = {{0, 1}, {0, 2}}, .number = 1});
   const std::uint64_t first = stress.partners(particles, 0);
   CHECK(stress.contact_count(0) == 2);
   CHECK(stress.contact_count(3) == 0);
-  stress.gather(particles, Touches{{{0, 2}, {0, 1}}, 2});
+  stress.gather(particles, Touches{.list = {{0, 2}, {0, 1}}, .number = 2});
   CHECK(stress.partners(particles, 0) == first);
-  stress.gather(particles, Touches{{{0, 1}, {0, 3}}, 3});
+  stress.gather(particles, Touches{.list = {{0, 1}, {0, 3}}, .number = 3});
   CHECK(stress.partners(particles, 0) != first);
 }
 
@@ -134,7 +139,7 @@ TEST_CASE("the watch leaves those whose contacts come, go, change much or are nu
                  .arm_b = {-3.3e-3, 1e-3 * a},
                  .on_b = {100, 50.0 * b}};
   };
-  Touches contacts{{touch(0, 1), touch(0, 2), touch(0, 3)}, 7};
+  Touches contacts{.list = {touch(0, 1), touch(0, 2), touch(0, 3)}, .number = 7};
   Touch& first = contacts.list[0];
   Touch& last = contacts.list[2];
   last.touching = false;
@@ -157,6 +162,24 @@ TEST_CASE("the watch leaves those whose contacts come, go, change much or are nu
   CHECK(left() == Left{});
   contacts.number = 8;
   CHECK(left() == Left{0, 1, 2, 3});
+  CHECK(left() == Left{});
+  // Pairs that are known from before keep what is known of them.
+  contacts = {.list = {contacts.list[1], contacts.list[2]},
+              .number = 9,
+              .earlier_number = 8,
+              .earlier = {1, 2}};
+  CHECK(left() == Left{});
+  contacts = {.list = {contacts.list[0], touch(1, 3)},
+              .number = 10,
+              .earlier_number = 9,
+              .earlier = {0, Touches::new_pair}};
+  CHECK(left() == Left{0, 1, 3});
+  CHECK(left() == Left{});
+  contacts = {.list = {touch(0, 1), touch(0, 2)},
+              .number = 11,
+              .earlier_number = 10,
+              .earlier = {Touches::new_pair, 0}};
+  CHECK(left() == Left{0, 1, 3});
   CHECK(left() == Left{});
   stress.forget(3);
   CHECK(left() == Left{3});

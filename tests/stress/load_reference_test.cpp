@@ -179,6 +179,30 @@ TEST_CASE("where a reference holds, the stresses have moved by no more than its 
   CHECK(held > 0.4 * asked);
 }
 
+TEST_CASE("a load gets a price as long as a tenth of the limit is left") {
+  Random random(87);
+  for (int sample = 0; sample < 20; ++sample) {
+    Loaded particle(random);
+    const ElementStress stress = particle.stress();
+    ElementStress unloaded;
+    unloaded.reset(stress.size());
+    const double limit = frobenius(stress, unloaded);
+    LoadReference reference;
+    particle.renew(reference, limit);
+    const std::vector<ContactLoad> loads = particle.loads;
+    // With its places as they are, the stress grows as its forces do: by these parts of the limit,
+    // which the bound finds to its margins of some thousandths.
+    for (const double grown : {0.5, 0.89, 0.91, 0.99, 1.01}) {
+      CAPTURE(grown);
+      for (std::size_t k = 0; k < loads.size(); ++k)
+        particle.loads[k].force = (1 + grown) * loads[k].force;
+      LoadReference::Prices prices;
+      CHECK(reference.holds(particle.loads, particle.rotation) == (grown < 1));
+      CHECK(reference.holds(particle.loads, particle.rotation, prices) == (grown < 0.9));
+    }
+  }
+}
+
 TEST_CASE("as far as a watch holds, the stresses are within the limit") {
   Random random(85);
   int asked = 0;

@@ -30,7 +30,7 @@ struct Priced {
       const auto each = [&](double size) {
         return static_cast<float>(size * std::pow(10, random.uniform(-2, 1)));
       };
-      prices.emplace_back(loads[k].arm, loads[k].force,
+      prices.emplace_back(LoadPrice::single(loads[k].arm, loads[k].force),
                           FourFloats{each(1e4), each(1e4), each(1e-2), each(1e-2)});
     }
   }
@@ -122,7 +122,7 @@ TEST_CASE("contacts that are missing, new or without a price are noticed") {
 }
 
 TEST_CASE("loads that are not numbers are noticed") {
-  const LoadPrice free({0, 0}, {0, 0}, FourFloats{0, 0, 0, 0});
+  const LoadPrice free(FourFloats{0, 0, 0, 0}, FourFloats{0, 0, 0, 0});
   CHECK(holds({free}, {{{1, 1}, {1, 1}}}, Rotation{}, 1));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_FALSE(holds({free}, {{{1, nan}, {1, 1}}}, Rotation{}, 1));

@@ -55,6 +55,11 @@ class ContactList {
 
   /// A number that is another one whenever the bodies of the pairs, in their order, are others.
   [[nodiscard]] std::uint64_t numbering() const { return numbering_; }
+  /// The one before, and the place that pair k had then; `new_pair` if it was none, or has gone
+  /// over to the second piece of a broken particle.
+  [[nodiscard]] std::uint64_t earlier_numbering() const { return earlier_numbering_; }
+  [[nodiscard]] std::uint32_t earlier_place(std::size_t k) const { return earlier_[k]; }
+  static constexpr std::uint32_t new_pair = std::numeric_limits<std::uint32_t>::max();
 
   /// Calls `visit(contact)` for every pair that touches, in order.
   template <class Visit>
@@ -142,8 +147,11 @@ class ContactList {
   /// afterwards.
   template <class OfSecond>
   void divide(BodyIndex parent, BodyIndex second, OfSecond&& of_second) {
-    for (ContactType& contact : pairs_) {
-      if (!contact.touching || (contact.a != parent && contact.b != parent)) continue;
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+      ContactType& contact = pairs_[k];
+      if (contact.a != parent && contact.b != parent) continue;
+      apart_until_[k] = unknown;
+      if (!contact.touching) continue;
       if (!of_second(contact.a == parent ? contact.geometry.point : point_at_b(contact))) continue;
       if (contact.a == parent) {
         // The new piece has the highest index: it becomes b. Tangential forces keep their sign, for
@@ -155,7 +163,7 @@ class ContactList {
       }
       contact.b = second;
     }
-    invalidate();
+    neighbours_.invalidate();
   }
 
  private:
@@ -200,15 +208,19 @@ class ContactList {
       std::sort(order_.begin(), order_.end(), before);
     next_pairs_.clear();
     next_apart_until_.clear();
+    earlier_.clear();
+    const std::size_t bodies_before = tasks_.empty() ? 0 : tasks_.back().last_body;
     auto old = order_.begin();
     for (const Key& k : keys_) {
       while (old != order_.end() && key(pairs_[*old]) < k) ++old;
       if (old != order_.end() && key(pairs_[*old]) == k) {
         next_pairs_.push_back(pairs_[*old]);
         next_apart_until_.push_back(apart_until_[*old]);
+        earlier_.push_back(k.b < bodies_before ? *old : new_pair);
       } else {
         next_pairs_.push_back({.a = k.a, .b = k.b, .image = k.image});
         next_apart_until_.push_back(unknown);
+        earlier_.push_back(new_pair);
       }
     }
     std::swap(pairs_, next_pairs_);
@@ -218,6 +230,7 @@ class ContactList {
       pair.at_platen = particles.body(pair.a).motion == Motion::platen ||
                        particles.body(pair.b).motion == Motion::platen;
     }
+    earlier_numbering_ = numbering_;
     numbering_ = keys_.size();
     for (const Key& k : keys_)
       numbering_ = spread_bits(numbering_ ^ (static_cast<std::uint64_t>(k.a) << 32 | k.b));
@@ -423,6 +436,8 @@ class ContactList {
   std::vector<ContactType> pairs_;
   std::vector<double> apart_until_;  // pair by pair, in terms of Travel::so_far()
   std::uint64_t numbering_ = 0;
+  std::uint64_t earlier_numbering_ = 0;
+  std::vector<std::uint32_t> earlier_;  // places of the pairs
   std::vector<Task> tasks_;
   std::vector<std::uint32_t> touching_;  // of each task, at the place of its pairs
   double slipped_ = 0;

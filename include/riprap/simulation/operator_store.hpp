@@ -110,7 +110,8 @@ class OperatorStore {
   }
 
   // Then exact operators stay from which compact ones were made: at 14 MPa every third particle
-  // comes to need its own within 3 % of strain, and to build it again takes a fifth of all checking.
+  // comes to need its own within 3 % of strain, and to build it again takes a fifth of all
+  // checking.
   [[nodiscard]] bool has_plenty() { return std::atomic_ref(bytes_).load() < budget_ / 4; }
 
   // Down to seven eighths of the budget, for the search is long; exact operators first, for fewer

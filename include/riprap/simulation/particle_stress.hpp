@@ -2,11 +2,13 @@
 /// @file
 /// Contact forces to element stresses, for every particle of a simulation.
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <riprap/breakage/failure_distance.hpp>
@@ -61,10 +63,10 @@ class ParticleStress {
   void begin_gather(const Particles& particles, const Contacts& contacts) {
     operators_.begin_turn(particles.size());
     if (numbering_ != contacts.numbering() || watched_.size() != particles.size()) {
+      if constexpr (linear) renumber_prices(contacts);
       numbering_ = contacts.numbering();
       index_.build(contacts.pairs(), particles.size());
-      if constexpr (linear) prices_.assign(2 * contacts.pairs().size(), {});
-      watched_.assign(particles.size(), LoadWatch::none);
+      watched_.resize(particles.size(), LoadWatch::none);
     }
     references_.resize(particles.size());
     loads_.resize(particles.size());
@@ -209,6 +211,23 @@ class ParticleStress {
     return {all + loads_[i].first, all + loads_[i].last};
   }
 
+  // Prices go with their pairs. They speak of places and forces on one particle, whoever is the
+  // other; if a pair is no more, the particle misses a contact.
+  template <class Contacts>
+  void renumber_prices(const Contacts& contacts) {
+    if (numbering_ == contacts.numbering()) return;
+    const bool follows = numbering_ == contacts.earlier_numbering();
+    next_prices_.assign(2 * contacts.pairs().size(), {});
+    for (std::size_t k = 0; follows && k < contacts.pairs().size(); ++k) {
+      const std::size_t earlier = contacts.earlier_place(k);
+      if (earlier == Contacts::new_pair) continue;
+      next_prices_[2 * k] = prices_[2 * earlier];
+      next_prices_[2 * k + 1] = prices_[2 * earlier + 1];
+    }
+    std::swap(prices_, next_prices_);
+    if (!follows) std::fill(watched_.begin(), watched_.end(), LoadWatch::none);
+  }
+
   // A price for each load of particle i, and none for its pairs that do not touch.
   void watch(BodyIndex i, std::span<const LoadPrice> prices) {
     const std::span<const ContactLoad> own = loads(i);
@@ -231,6 +250,7 @@ class ParticleStress {
   PairIndex index_;
   std::uint64_t numbering_ = 0;
   std::vector<LoadPrice> prices_;       // side by side; on side a for the force on b
+  std::vector<LoadPrice> next_prices_;  // when they are numbered anew
   std::vector<std::uint32_t> watched_;  // how many contacts of each particle have a price
   // Loads task by task, in laboratory axes: turning is left to those who need it.
   std::vector<std::vector<ContactLoad>> tasks_;

@@ -278,8 +278,7 @@ class LoadReference {
       Contact& contact = contacts_[c];
       contact.norm_x = static_cast<float>(1 + margin) * std::sqrt(x);
       contact.norm_y = static_cast<float>(1 + margin) * std::sqrt(y);
-      contact.short_way =
-          4 * contact.unit_steepness / std::min(contact.norm_x, contact.norm_y);
+      contact.short_way = 4 * contact.unit_steepness / std::min(contact.norm_x, contact.norm_y);
     }
   }
 
@@ -299,7 +298,7 @@ class LoadReference {
   std::uint32_t count_ = 0;
   std::array<Contact, capacity> contacts_;
   std::array<CornerWay, capacity> corners_;
-  std::array<FourFloats, capacity * (capacity + 1) / 2> products_;
+  std::array<FourFloats, capacity*(capacity + 1) / 2> products_;
 };
 
 }  // namespace riprap
