@@ -40,7 +40,7 @@ class NeighbourSearch {
       travel_.restart(particles, plane);
       good_until_ = -infinity;
     } else {
-      travel_.update(particles, plane, skin_ / 16, farthest_image_, execution);
+      travel_.update(particles, plane, skin_ / 16, near_, farthest_image_, execution);
     }
     return travel_.so_far() >= good_until_;
   }
@@ -81,9 +81,14 @@ class NeighbourSearch {
   void enclose(const Particles& particles, const Plane& plane) {
     if (travel_.bodies() != particles.size()) travel_.restart(particles, plane);
     double mean_radius = 0;
-    for (std::size_t i = 0; i < particles.size(); ++i)
-      mean_radius += particles.shape(static_cast<BodyIndex>(i)).circumradius;
+    double largest_radius = 0;
+    for (BodyIndex i = 0; i < particles.size(); ++i) {
+      mean_radius += particles.shape(i).circumradius;
+      largest_radius = std::max(largest_radius, particles.shape(i).circumradius);
+    }
     skin_ = 2 * broad_.relative_skin * mean_radius / static_cast<double>(particles.size());
+    // Of a pair whose boxes meet; another skin for the way until the list is new, and one more.
+    near_ = 2 * largest_radius + 3 * skin_;
     const Vec2 margin{0.5 * skin_, 0.5 * skin_};
     boxes_.clear();
     for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -146,6 +151,7 @@ class NeighbourSearch {
   [[no_unique_address]] typename clauses::WorkspaceOf<Broad>::type workspace_;
   std::vector<Box> boxes_;
   double skin_ = 0;
+  double near_ = 0;  // centres of a pair, along an axis
   Travel<Plane> travel_;
   double good_until_ = -infinity;  // in terms of travel_.so_far()
   // In a periodic plane only.
