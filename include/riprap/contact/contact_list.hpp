@@ -300,20 +300,33 @@ class ContactList {
     }
   }
 
+  // Which pairs of a task may touch, in order; they lie where those that do are to be put. Without
+  // a branch, for which pairs are known to be apart is not to be guessed.
+  [[nodiscard]] std::span<const std::uint32_t> find_due(const Task& task) {
+    const double travelled = neighbours_.travel().so_far();
+    std::uint32_t* const due = touching_.data() + task.first_pair;
+    std::size_t count = 0;
+    for (std::size_t k = task.first_pair; k < task.last_pair; ++k) {
+      due[count] = static_cast<std::uint32_t>(k);
+      count += static_cast<std::size_t>(travelled >= apart_until_[k]);
+    }
+    return {due, count};
+  }
+
   // Geometry of all pairs that touch. Those known to be apart still cost a comparison.
   void find_contacts(Task& task, const Particles& particles) {
-    const double travelled = neighbours_.travel().so_far();
     const bool far = pairs_.size() > cached_pairs;
     if (far) fetch_next_task(task, particles);
+    const std::span<const std::uint32_t> due = find_due(task);
     std::size_t last = task.first_pair;
     bool all_touch = true;
     PairGroup<Narrow> group;
     const auto ask_alone = [&](std::size_t k) { all_touch &= find_contact(k, particles); };
     task.across.clear();
-    for (std::size_t k = task.first_pair; k < task.last_pair; ++k) {
-      if (far && k + pairs_ahead < task.last_pair && travelled >= apart_until_[k + pairs_ahead])
-        fetch(&pairs_[k + pairs_ahead], sizeof(ContactType));
-      if (travelled < apart_until_[k]) continue;
+    for (std::size_t place = 0; place < due.size(); ++place) {
+      const std::size_t k = due[place];
+      if (far && place + pairs_ahead < due.size())
+        fetch(&pairs_[due[place + pairs_ahead]], sizeof(ContactType));
       ContactType& contact = pairs_[k];
       if (group.add(k, contact, particles)) {
         touching_[last++] = static_cast<std::uint32_t>(k);
