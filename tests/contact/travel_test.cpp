@@ -129,7 +129,8 @@ TEST_CASE(
         if (step == 9) before = travel.so_far();  // the first way was not foreseen
       }
       // Half of what the strain along both axes takes of `near`. A strain of 1e-3 in all does not
-      // grow quite evenly, and with the ends' ways of a step, 5e-5 of them, squared.
+      // grow quite evenly: what is foreseen for a step misses the square of its strain, 1e-10 of
+      // the ends' 100 m.
       const double expected = 0.5 * near * std::sqrt(2.0) * strain * (steps - 10);
       CHECK(travel.so_far() - before == near_relative(expected, 0.02));
     }

@@ -36,7 +36,7 @@ class Travel {
   /// has just moved them and has them in the cache. `update` measures those that were left out.
   void follow(const Particles& particles, std::size_t task, std::size_t first, std::size_t last) {
     if (particles.size() != poses_.size()) return;
-    const Flow flow = flow_;
+    const Flow flow = foreseen();
     double squared = 0;
     for (std::size_t i = first; i < last; ++i)
       squared =
@@ -56,17 +56,20 @@ class Travel {
                     [&](std::size_t task, std::size_t first, std::size_t last) {
                       follow(particles, task, first, last);
                     });
+    const Flow flow = foreseen();
     double squared = 0;
     for (const double longest : longest_) squared = std::max(squared, longest);
     std::fill(longest_.begin(), longest_.end(), unknown);
-    now_ = std::sqrt(squared) + 0.5 * near * flow_.stretch.norm();
+    now_ = std::sqrt(squared) + 0.5 * near * flow.stretch.norm();
     if constexpr (Plane::periodic) {
       // Images that are not carried along as the flow says; each body of a pair takes half.
-      const Vec2 carried = plane_.period + componentwise_product(flow_.stretch, plane_.period);
+      const Vec2 carried = plane_.period + componentwise_product(flow.stretch, plane_.period);
       const Vec2 astray = componentwise_abs(plane.period - carried);
       now_ += 0.5 * farthest_image * (astray.x() + astray.y());
     }
-    foresee(particles, plane);
+    const Flow measured = measure(particles, plane);
+    growth_ = {measured.stretch - last_.stretch, measured.shift - last_.shift};
+    last_ = measured;
     if (now_ > stride) restart(particles, plane);
   }
 
@@ -82,7 +85,6 @@ class Travel {
     longest_.assign(task_count(poses_.size()), unknown);
     find_ends();
     last_ = {};
-    flow_ = growth_;
   }
   [[nodiscard]] std::size_t bodies() const { return poses_.size(); }
 
@@ -141,14 +143,10 @@ class Travel {
   }
 
   // Ways are measured before all bodies have moved: beside the flow that is to be expected then.
-  void foresee(const Particles& particles, const Plane& plane) {
-    const Flow now = measure(particles, plane);
-    growth_ = {now.stretch - last_.stretch, now.shift - last_.shift};
-    last_ = now;
-    flow_ = {now.stretch + growth_.stretch, now.shift + growth_.shift};
-    // No longer one that keeps those who are far apart from meeting before others.
-    constexpr double too_much = 0.5;
-    if (!(flow_.stretch.norm() < too_much)) flow_ = growth_ = {};
+  // None is, where bodies far apart might by its stretch meet before the others.
+  [[nodiscard]] Flow foreseen() const {
+    const Flow flow{last_.stretch + growth_.stretch, last_.shift + growth_.shift};
+    return flow.stretch.norm() < 0.5 ? flow : Flow{};
   }
 
   std::vector<Pose> poses_;
@@ -158,9 +156,8 @@ class Travel {
   double before_ = 0;
   double now_ = 0;
   std::array<std::pair<BodyIndex, BodyIndex>, 2> ends_{};  // along either axis
-  Flow flow_;                                              // by which the ways are measured
-  Flow last_;
-  Flow growth_;  // a step
+  Flow last_;                                              // as measured last
+  Flow growth_;                                            // a step
 };
 
 }  // namespace riprap

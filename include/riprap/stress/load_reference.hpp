@@ -61,10 +61,7 @@ class LoadReference {
       const Vec2& force = placed[c].force;
       const BoundaryPoint& at = places[c].at;
       const double hold = safely(std::min(places[c].hold, op.reach(at)), arm);
-      contacts_[c] = {.x = static_cast<float>(arm.x()),
-                      .y = static_cast<float>(arm.y()),
-                      .force_x = static_cast<float>(force.x()),
-                      .force_y = static_cast<float>(force.y()),
+      contacts_[c] = {.load = LoadPrice::single(arm, force),
                       .hold = static_cast<float>(hold),
                       .steepness = static_cast<float>(op.steepness(at, force)),
                       .unit_steepness = static_cast<float>(op.steepness(at)),
@@ -105,8 +102,7 @@ class LoadReference {
   static constexpr double margin = 6e-6;
 
   struct Contact {
-    float x, y;              // arm [m]
-    float force_x, force_y;  // [N]
+    FourFloats load;  // arm and force, as a LoadPrice has them
     float hold;
     float steepness;       // of its force
     float unit_steepness;  // of a unit force
@@ -117,10 +113,13 @@ class LoadReference {
 
   // Of forces: x, y, x, y for each contact.
   using Changes = std::array<FourFloats, capacity>;
+  [[nodiscard]] static FourFloats force_twice(const FourFloats& load) {
+    return __builtin_shufflevector(load, load, 2, 3, 2, 3);
+  }
 
   // A load beside that of the same contact in the reference.
   struct Meeting {
-    FourFloats load;  // arm and force in the particle's own frame, as a LoadPrice has them
+    FourFloats load;  // in the particle's own frame
     std::size_t contact;
     float moved;  // the arm
     float along;  // the boundary, at most
@@ -147,19 +146,15 @@ class LoadReference {
              .moved = 0,
              .along = 0,
              .by = 0};
-      const float fx = met.load[2];
-      const float fy = met.load[3];
-      const float size = std::abs(fx) + std::abs(fy);
+      const float size = std::abs(met.load[2]) + std::abs(met.load[3]);
       if (c == count_ || contacts_[c].partner != loads[k].partner) {
         slack += largest_norm_ * size;
         continue;
       }
       met.contact = c;
       if (!find_way(met)) return -1;
-      const float dx = fx - contacts_[c].force_x;
-      const float dy = fy - contacts_[c].force_y;
-      now.change[c] = FourFloats{dx, dy, dx, dy};
-      met.by = std::abs(dx) + std::abs(dy);
+      now.change[c] = force_twice(met.load - contacts_[c].load);
+      met.by = std::abs(now.change[c][0]) + std::abs(now.change[c][1]);
       slack += met.along * (contacts_[c].steepness + contacts_[c].unit_steepness * met.by) +
                static_cast<float>(margin) * largest_norm_ * size;
       ++c;
@@ -173,24 +168,20 @@ class LoadReference {
   [[nodiscard]] bool find_way(Meeting& met) const {
     const Contact& then = contacts_[met.contact];
     const CornerWay& corner = corners_[met.contact];
-    const float x = met.load[0];
-    const float y = met.load[1];
-    met.moved = std::sqrt((x - then.x) * (x - then.x) + (y - then.y) * (y - then.y));
+    const float dx = met.load[0] - then.load[0];
+    const float dy = met.load[1] - then.load[1];
+    met.moved = std::sqrt(dx * dx + dy * dy);
     if (met.moved <= then.hold)
       met.along = met.moved;
     else if (met.moved <= corner.hold)
-      met.along = corner.way(corner.feet(x, y));
+      met.along = corner.way(corner.feet(met.load[0], met.load[1]));
     else
       return false;
     return true;
   }
 
   // Contact c is no more.
-  void open(Changes& change, std::size_t c) const {
-    const float x = -contacts_[c].force_x;
-    const float y = -contacts_[c].force_y;
-    change[c] = FourFloats{x, y, x, y};
-  }
+  void open(Changes& change, std::size_t c) const { change[c] = force_twice(-contacts_[c].load); }
 
   // How far a contact may go on from here, and what is known of it until there.
   struct Freedom {

@@ -28,6 +28,7 @@ struct alignas(32) LoadPrice {
   LoadPrice(const FourFloats& arm_and_force, const FourFloats& each)
       : load{arm_and_force}, price{each} {}
 
+  /// Arm and force as `load` has them.
   [[nodiscard]] static FourFloats single(const Vec2& arm, const Vec2& force) {
     const FourDoubles exact{arm.x(), arm.y(), force.x(), force.y()};
     return __builtin_convertvector(exact, FourFloats);

@@ -92,10 +92,9 @@ struct UniformMesher {
     for (int j = -rows; j <= rows; ++j) {
       const auto point = [&](int i) -> Vec2 { return (i + phase) * u + (j + phase) * v; };
       const Row row = row_inside(edges, point(0), u, depth, reach);
-      for (int i = row.first; i <= row.last; ++i) {
+      for (int i = row.maybe.first(reach); i <= row.maybe.most; ++i) {
         const Vec2 x = point(i);
-        if ((row.surely_first <= i && i <= row.surely_last) || lies_inside(edges, x, depth))
-          mesh.nodes.push_back(x);
+        if (row.surely.has(i) || lies_inside(edges, x, depth)) mesh.nodes.push_back(x);
       }
     }
     return mesh;
@@ -115,35 +114,43 @@ struct UniformMesher {
                        [&](const Edge& edge) { return edge.depth_of(x) > depth; });
   }
 
+  // Points i of a row, from least to most.
+  struct Range {
+    double least, most;
+
+    [[nodiscard]] bool has(int i) const { return least <= i && i <= most; }
+    [[nodiscard]] int first(int reach) const {
+      return static_cast<int>(std::ceil(std::min(least, reach + 1.0)));
+    }
+    // Those with slope * i > missing.
+    void keep(double slope, double missing) {
+      if (slope > 0)
+        least = std::max(least, missing / slope);
+      else if (slope < 0)
+        most = std::min(most, missing / slope);
+      else if (missing > 0)
+        most = least - 1;
+    }
+  };
   // The points of a row that may lie inside, and those that surely do, whatever round-off says:
   // only the few between have to be asked, which takes a fifth off an operator.
   struct Row {
-    int first, last;
-    int surely_first, surely_last;
+    Range maybe, surely;
   };
   [[nodiscard]] static Row row_inside(const std::vector<Edge>& edges, const Vec2& x, const Vec2& u,
                                       double depth, int reach) {
     const double room = 1e-9 * depth;
-    double least = -reach, most = reach, surely_least = -reach, surely_most = reach;
+    const Range all{-1.0 * reach, 1.0 * reach};
+    Row row{all, all};
     for (const Edge& edge : edges) {
-      // Depth grows by `slope` from point to point.
-      const double slope = cross(edge.along, u) / edge.length;
+      // Depth grows by `slope` from point to point; not along an edge.
+      const double exact = cross(edge.along, u) / edge.length;
+      const double slope = std::abs(exact) * reach < 0.1 * room ? 0 : exact;
       const double missing = depth - edge.depth_of(x);
-      if (std::abs(slope) * reach < 0.1 * room) {  // along the row
-        if (missing > room) least = reach + 1;
-        if (missing > -room) surely_least = reach + 1;
-      } else if (slope > 0) {
-        least = std::max(least, (missing - room) / slope);
-        surely_least = std::max(surely_least, (missing + room) / slope);
-      } else {
-        most = std::min(most, (missing - room) / slope);
-        surely_most = std::min(surely_most, (missing + room) / slope);
-      }
+      row.maybe.keep(slope, missing - room);
+      row.surely.keep(slope, missing + room);
     }
-    return {static_cast<int>(std::ceil(std::min(least, reach + 1.0))),
-            static_cast<int>(std::floor(std::max(most, -reach - 1.0))),
-            static_cast<int>(std::ceil(std::min(surely_least, reach + 1.0))),
-            static_cast<int>(std::floor(std::max(surely_most, -reach - 1.0)))};
+    return row;
   }
 
   // Boost.Polygon works on integers. All points are drawn towards the centroid by a hair that grows
