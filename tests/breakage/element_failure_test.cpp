@@ -1,6 +1,7 @@
 #include <riprap/breakage/element_failure.hpp>
 
 #include <doctest/doctest.h>
+#include <limits>
 
 #include <cmath>
 #include <numbers>
@@ -8,6 +9,8 @@
 
 #include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
+#include <riprap/breakage/criterion/rankine.hpp>
+#include <riprap/breakage/failure_tally.hpp>
 #include <riprap/core/units.hpp>
 #include <support/near.hpp>
 
@@ -244,4 +247,38 @@ TEST_CASE("failure modes have names") {
   CHECK(std::string(to_text(FailureMode::intact)) == "intact");
   CHECK(std::string(to_text(FailureMode::tension)) == "tension");
   CHECK(std::string(to_text(FailureMode::shear)) == "shear");
+}
+
+TEST_CASE("a stress or strength that is not a number is refused, never intact") {
+  constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan_value, infinity, -infinity})
+    for (const Stress2& stress : {Stress2{bad, 0, 0}, Stress2{1e6, bad, 0}, Stress2{1e6, 2e6, bad},
+                                  Stress2{bad, bad, 0}, Stress2{bad, -bad, 0}}) {
+      CAPTURE(bad);
+      CHECK_THROWS_AS((void)evaluate(HoekBrown{}, stress), InvalidInput);
+    }
+  CHECK_THROWS_WITH_AS((void)evaluate(HoekBrown{}, {1e6, nan_value, 0}),
+                       "evaluate: stress (1e+06, nan, 0) Pa: must be finite", InvalidInput);
+  struct NoStrength {
+    double major_stress_at_failure(double) const { return std::nan(""); }
+    double tensile_strength() const { return 12e6; }
+  };
+  CHECK_THROWS_WITH_AS((void)evaluate(NoStrength{}, {2e6, 1e6, 0}),
+                       "criterion: major_stress_at_failure(1e+06 Pa) = nan: must be a number",
+                       InvalidInput);
+  ElementStress stress;
+  stress.reset(3);
+  stress.set(1, {0, nan_value, 0});
+  CHECK_THROWS_AS((void)tally_failures(HoekBrown{}, stress), InvalidInput);
+}
+
+TEST_CASE("the safety factor keeps its digits beside a large major stress") {
+  const HoekBrown rock;
+  // Tension of 1845 Pa across 38.6 MPa: a criterion with that tensile strength fails exactly.
+  const Rankine weak{.tension = 1845};
+  CHECK(evaluate(weak, {3.86e7, -1845, 0}).safety_factor == 1);
+  CHECK(evaluate(weak, {3.86e7, -1845, 0}).mode == FailureMode::tension);
+  CHECK(evaluate(rock, {3.86e7, -1845, 0}).safety_factor ==
+        near_relative(rock.major_stress_at_failure(-1845) / 3.86e7, 1e-15));
 }

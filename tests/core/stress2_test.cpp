@@ -152,3 +152,24 @@ TEST_CASE("stresses add up and scale component by component") {
   CHECK(half.s22 == 11);
   CHECK(half.s12 == 16.5);
 }
+
+TEST_CASE("a minor stress that is small beside the major one keeps its digits") {
+  for (const double minor : {-1845.0, -1.0, -1e-6, 0.0, 1e-9, 1845.0})
+    for (const bool swapped : {false, true}) {
+      CAPTURE(minor);
+      const double major = 3.86e7;
+      const Stress2 aligned = swapped ? Stress2{minor, major, 0} : Stress2{major, minor, 0};
+      CHECK(aligned.principal_values().minor == minor);
+      CHECK(aligned.principal_values().major == major);
+      CHECK(aligned.principal().minor == minor);
+      // In other axes the components carry the stresses to a rounding of the major one.
+      for (const double angle : {1e-8, 1e-3, 0.4, 0.785, 1.3}) {
+        const PrincipalValues values = from_principal(major, minor, angle).principal_values();
+        CHECK(std::abs(values.minor - minor) <= 1e-14 * major);
+        CHECK(std::abs(values.major - major) <= 1e-14 * major);
+      }
+    }
+  // From 500 digits: mean -+ radius of (3.86e7, -1845, 12).
+  const PrincipalValues values = Stress2{3.86e7, -1845, 12}.principal_values();
+  CHECK(values.minor == near_relative(-1845.00000373039164, 1e-15));
+}

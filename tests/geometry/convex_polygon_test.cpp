@@ -56,6 +56,20 @@ TEST_CASE("coordinates are finite") {
         "polygon vertex 2 at (-inf, 1): coordinates must be finite");
 }
 
+TEST_CASE("a polygon whose areas would overflow or underflow is refused by its size") {
+  for (const double size : {1e-200, 1e-71, 1e71, 1e160, 1e300}) {
+    CAPTURE(size);
+    CHECK(contains(complaint({{0, 0}, {size, 0}, {0, size}}), "must lie between 1e-70 and 1e70 m"));
+  }
+  for (const double size : {1e-60, 1e60}) CHECK(complaint({{0, 0}, {size, 0}, {0, size}}).empty());
+}
+
+TEST_CASE("a ring that breaks a rule makes no polygon") {
+  CHECK(try_convex_polygon({{0, 0}, {1, 0}, {0, 1}}));
+  CHECK_FALSE(try_convex_polygon({{0, 0}, {0, 1}, {1, 0}}));
+  CHECK_FALSE(try_convex_polygon({{0, 0}, {1, 0}}));
+}
+
 TEST_CASE("a clockwise ring is refused, with the vertex, its place and the rule") {
   CHECK(complaint({{0, 0}, {0, 4}, {3, 0}}) ==
         "polygon vertex 2 at (3, 0) lies -3 m to the left of the edge from vertex 0 at (0, 0): "

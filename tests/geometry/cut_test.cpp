@@ -1,6 +1,8 @@
 #include <riprap/geometry/cut.hpp>
 
+#include <algorithm>
 #include <doctest/doctest.h>
+#include <string>
 
 #include <riprap/core/random.hpp>
 #include <riprap/geometry/convex_polygon.hpp>
@@ -184,4 +186,120 @@ TEST_CASE("a vertex within a millionth of the diameter of the line lies on it") 
     CHECK(diagonal->left.size() == 3);
     CHECK(diagonal->right.size() == 3);
   }
+}
+
+TEST_CASE("an edge shorter than the snap distance belongs to one piece") {
+  const std::vector<Vec2> bevelled{{0, 0}, {1, 0}, {1, .9987}, {.9987, 1}, {0, 1}};
+  const Line diagonal{{0, 0}, Vec2{1, 1} / std::sqrt(2.0)};
+  const auto parts = cut(bevelled, diagonal, 1e-3);
+  REQUIRE(parts);
+  CHECK(parts->left == std::vector<Vec2>{{0, 0}, {1, .9987}, {.9987, 1}, {0, 1}});
+  CHECK(parts->right == std::vector<Vec2>{{0, 0}, {1, 0}, {1, .9987}});
+  check_sums(bevelled, {parts->left, parts->right}, 4e-16);
+}
+
+namespace {
+
+/// A random convex ring of one of several kinds: plain, with short edges at its corners, a needle,
+/// with 64 vertices.
+ConvexPolygon random_ring(Random& random) {
+  const ConvexPolygon plain = random_polygon({.most_vertices = 9}, 1, random);
+  switch (random.uniform_integer(0, 3)) {
+  case 0: {
+    std::vector<Vec2> bevelled;
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+      const double share = std::pow(10, random.uniform(-8, -1));
+      const Vec2 v = plain[i];
+      bevelled.push_back(v + share * (plain[(i + plain.size() - 1) % plain.size()] - v));
+      bevelled.push_back(v + share * (plain[(i + 1) % plain.size()] - v));
+    }
+    return try_convex_polygon(bevelled).value_or(plain);
+  }
+  case 1: {
+    const double thin = std::pow(10, random.uniform(-5, 0));
+    std::vector<Vec2> needle;
+    for (const Vec2& v : plain) needle.push_back({v.x(), thin * v.y()});
+    return try_convex_polygon(needle).value_or(plain);
+  }
+  case 2:
+    return scaled(regular_polygon(64, 1), random.uniform(0.5, 2));
+  default:
+    return plain;
+  }
+}
+
+/// A line through the ring, through two of its corners, along an edge, or beside one of these by a
+/// small share of the size.
+Line line_near(Ring ring, Random& random) {
+  const auto vertex = [&] {
+    return ring[random.uniform_integer(0, static_cast<unsigned>(ring.size()) - 1)];
+  };
+  const Vec2 p = random.uniform(0, 1) < 0.5 ? vertex() : area_properties(ring).centroid;
+  const Vec2 q = vertex();
+  const Vec2 across = q - p;
+  const double angle = random.uniform(0, 2 * pi);
+  const double nearby = random.uniform(0, 1) < 0.3 ? 0 : std::pow(10, random.uniform(-16, 0));
+  const Vec2 shift = nearby * Vec2{std::cos(angle), std::sin(angle)};
+  if (across.norm() == 0) return {p + shift, {std::cos(angle), std::sin(angle)}};
+  return {p + shift, across / across.norm()};
+}
+
+/// By the shoelace formula, in more digits than the library's.
+long double long_area(Ring ring) {
+  long double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2& p = ring[i];
+    const Vec2& q = ring[(i + 1) % ring.size()];
+    sum += (static_cast<long double>(q.x()) - p.x()) *
+           (static_cast<long double>(p.y()) - ring[0].y() + q.y() - ring[0].y());
+  }
+  return -sum / 2;
+}
+
+/// The first rule of a cut that two pieces break, or an empty text.
+std::string broken_rule(Ring ring, const CutRings& parts) {
+  const long double area = long_area(ring);
+  if (!(std::abs(long_area(parts.left) + long_area(parts.right) - area) <= 1e-12L * area))
+    return "areas do not add up";
+  if (parts.left.size() < 3 || parts.right.size() < 3) return "a piece without corners";
+  // Both ends of the cut and no other vertex are shared.
+  std::size_t shared = 0;
+  for (const Vec2& v : parts.left)
+    shared += static_cast<std::size_t>(std::count(parts.right.begin(), parts.right.end(), v));
+  if (shared != 2) return "the pieces share " + std::to_string(shared) + " vertices";
+  // An end of the cut is a vertex of the ring or a new one.
+  std::size_t kept = 0;
+  for (const std::vector<Vec2>* piece : {&parts.left, &parts.right})
+    for (const Vec2& v : *piece)
+      kept += static_cast<std::size_t>(std::count(ring.begin(), ring.end(), v));
+  const std::size_t all = parts.left.size() + parts.right.size();
+  if (kept < ring.size() || all - kept > 4) return "a vertex is lost or made";
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("a million random cuts, and cuts of cuts, neither make nor lose area") {
+  Random random(12);
+  std::size_t cuts = 0;
+  std::string broken;
+  while (cuts < 1'000'000 && broken.empty()) {
+    const ConvexPolygon whole = random_ring(random);
+    std::vector<std::vector<Vec2>> rings{{whole.begin(), whole.end()}};
+    for (int generation = 0; generation < 4; ++generation) {
+      std::vector<std::vector<Vec2>> next;
+      for (const std::vector<Vec2>& ring : rings) {
+        const double snap = std::pow(10, random.uniform(-9, -2));
+        const auto parts = cut(ring, line_near(ring, random), snap);
+        if (!parts) continue;
+        ++cuts;
+        if (broken.empty()) broken = broken_rule(ring, *parts);
+        for (const std::vector<Vec2>& piece : {parts->left, parts->right})
+          if (try_convex_polygon(piece)) next.push_back(piece);
+      }
+      rings = next;
+    }
+  }
+  CHECK(broken == "");
+  CHECK(cuts >= 1'000'000);
 }

@@ -1,6 +1,7 @@
 #include <riprap/measurement/average_stress.hpp>
 
 #include <doctest/doctest.h>
+#include <limits>
 
 #include <cmath>
 #include <numbers>
@@ -9,6 +10,7 @@
 #include <riprap/core/random.hpp>
 #include <riprap/particle/body.hpp>
 #include <support/fake_contacts.hpp>
+#include <support/message_of.hpp>
 #include <support/near.hpp>
 
 using namespace riprap;
@@ -190,4 +192,21 @@ TEST_CASE("sin phi of a test that loads axis 2") {
   CHECK(sin_phi({2, 2, 0}) == 0);
   CHECK(sin_phi({3, 1, 0}) == -0.5);
   CHECK(sin_phi({0, 0, 0}) == 0);
+}
+
+TEST_CASE("an average over no area, or of forces that are not finite, is refused by name") {
+  FakeContacts contacts;
+  contacts.list.push_back(fake_contact(0, 1, {0, 0}, {1, 0}, {1, 0}, 5, 0));
+  for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    CHECK_THROWS_AS((void)average_stress(contacts, bad, 1), InvalidInput);
+    CHECK_THROWS_AS((void)average_stress(contacts, 1, bad), InvalidInput);
+    CHECK_THROWS_AS((void)average_stress_within(contacts, Ellipse{{bad, 1}}, 1), InvalidInput);
+    CHECK_THROWS_AS((void)average_stress_within(contacts, Ellipse{{1, 1}}, bad), InvalidInput);
+  }
+  CHECK(message_of([&] { (void)average_stress(contacts, -1, 1); }) ==
+        "average_stress: area = -1: must be a finite number above 0");
+  contacts.list[0].force.normal = std::numeric_limits<double>::infinity();
+  CHECK(contains(message_of([&] { (void)average_stress(contacts, 1, 1); }),
+                 "sum of contact forces times branch vectors"));
+  CHECK_THROWS_AS((void)average_stress_within(contacts, Ellipse{{1, 1}}, 1), InvalidInput);
 }

@@ -1,6 +1,8 @@
 #include <riprap/measurement/fabric.hpp>
 
 #include <doctest/doctest.h>
+#include <limits>
+#include <vector>
 
 #include <algorithm>
 #include <cmath>
@@ -218,4 +220,18 @@ TEST_CASE("samples carry the forces and branches of the contacts") {
   CHECK(samples[0].normal_force == 7);
   CHECK(samples[0].tangential_force == -2);
   CHECK((samples[0].branch - Vec2{3, 4}).norm() == near(0, 1e-15));
+}
+
+TEST_CASE("contacts that the density of eq. 9 gives no weight are counted") {
+  // Nine contacts along axis 1 and one across: a = 2 * 0.8.
+  std::vector<ContactSample> samples(9, {.normal = {1, 0}, .normal_force = 2});
+  samples.push_back({.normal = {0, 1}, .normal_force = 5});
+  const Fabric strong = fabric(samples);
+  CHECK(strong.normals.coefficient == near_relative(1.6, 1e-14));
+  CHECK(strong.left_out == 1);
+  CHECK(strong.mean_normal_force == near_relative(2, 1e-14));
+  samples.resize(20, {.normal = {0, 1}, .normal_force = 5});
+  CHECK(fabric(samples).left_out == 0);
+  samples[3].normal_force = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS((void)fabric(samples), InvalidInput);
 }

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <limits>
 
 #include <riprap/dynamics/damping/viscous_damping.hpp>
@@ -68,11 +69,43 @@ TEST_CASE("a driven body drifts at its velocity whatever pushes it, and vertices
   CHECK(particles.ring(0)[0].x() > 3 * dt * 0.98);
 }
 
-TEST_CASE("motion that is no longer finite is an error that names the particle") {
+TEST_CASE("a state that is no longer finite is an error that names the particle, free or driven") {
+  const Motion2<SymplecticEuler> motion;
+  const BodyStep step(motion, OpenPlane{}, Vec2{0, 0}, dt);
   Particles particles = pushed();
   particles.body(0).contact.force.x() = std::numeric_limits<double>::infinity();
-  const Motion2<SymplecticEuler> motion;
-  CHECK_THROWS_WITH_AS((void)BodyStep(motion, OpenPlane{}, Vec2{0, 0}, dt).advance(particles, 0, 2),
-                       "particle 0: motion is no longer finite; the time step may be too long",
+  CHECK_THROWS_WITH_AS((void)step.advance(particles, 0, 2),
+                       "particle 0: position (inf, 0.5) m, spin 0 rad/s: no longer finite",
                        SimulationError);
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    Particles driven = pushed();
+    driven.body(1).velocity.y() = bad;
+    CHECK_THROWS_AS((void)step.advance(driven, 0, 2), SimulationError);
+    Particles turned = pushed();
+    turned.body(1).angular_velocity = bad;
+    CHECK_THROWS_AS((void)step.advance(turned, 0, 2), SimulationError);
+  }
+}
+
+TEST_CASE("a body that a step would take past others is an error with its speed and the step") {
+  const Motion2<SymplecticEuler> motion;
+  const BodyStep step(motion, OpenPlane{}, Vec2{0, 0}, dt);
+  // Half the circumradius of the unit squares, 0.354 m, in a millisecond.
+  for (const BodyIndex i : {0u, 1u}) {
+    Particles slow = pushed();
+    slow.body(i).velocity = {0, 350};
+    CHECK_NOTHROW((void)step.advance(slow, 0, 2));
+    Particles fast = pushed();
+    fast.body(i).velocity = {0, 360};
+    CHECK_THROWS_WITH_AS((void)step.advance(fast, 0, 2),
+                         doctest::Contains("contacts would be missed"), SimulationError);
+    Particles turning = pushed();
+    turning.body(i).angular_velocity = 510;
+    CHECK_THROWS_WITH_AS(
+        (void)step.advance(turning, 0, 2),
+        doctest::Contains(i == 0 ? "particle 0: moves at 2."
+                                 : "particle 1: moves at 3 m/s and 510 rad/s, in a time step of "
+                                   "0.001 s by more than half its circumradius of 0.707106781"),
+        SimulationError);
+  }
 }

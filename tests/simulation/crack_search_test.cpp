@@ -2,8 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include <riprap/breakage/splitter/no_split.hpp>
 #include <riprap/breakage/trigger/weibull_strength.hpp>
+#include <riprap/dynamics/boundary/no_boundary.hpp>
+#include <riprap/dynamics/integrator/velocity_verlet.hpp>
 #include <riprap/simulation/simulation.hpp>
 #include <riprap/stress/support/two_pinned_contacts.hpp>
 #include <support/near.hpp>
@@ -156,4 +161,71 @@ TEST_CASE("a weak particle carries its load as a strong one would carry a larger
   CHECK(load_scale(weibull, sim.particles(), 0) ==
         near_relative(1 / weibull.strength_factor(0, area), 1e-15));
   CHECK(load_scale(FailedElementRatio{}, sim.particles(), 0) == 1);
+}
+
+namespace {
+
+// Cuts into a square whose first vertex comes again, into a ring turned round, and into pieces that
+// are larger than the whole.
+struct ClosedRings {
+  std::optional<CutRings> operator()(Ring ring, const Line& line, double) const {
+    std::optional<CutRings> pieces = cut(ring, line);
+    if (pieces) pieces->left.push_back(pieces->left.front());
+    return pieces;
+  }
+};
+struct ClockwiseRings {
+  std::optional<CutRings> operator()(Ring ring, const Line& line, double) const {
+    std::optional<CutRings> pieces = cut(ring, line);
+    if (pieces) std::reverse(pieces->right.begin(), pieces->right.end());
+    return pieces;
+  }
+};
+struct TwoWholes {
+  std::optional<CutRings> operator()(Ring ring, const Line&, double) const {
+    return CutRings{{ring.begin(), ring.end()}, {ring.begin(), ring.end()}};
+  }
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("a piece that breaks a rule of polygons is a refusal, and the state stays whole",
+                   Split, ClosedRings, ClockwiseRings) {
+  Simulation sim{Model{}.boundary(NoBoundary{}).splitter(Split{}), crushed, Rock{}};
+  for (int i = 0; i < 5; ++i) CHECK_NOTHROW(sim.step());
+  CHECK(sim.breaks().empty());
+  CHECK(sim.particles().size() == 4);
+}
+
+TEST_CASE("pieces of more area than the particle are an error that names it") {
+  Simulation sim{Model{}.boundary(NoBoundary{}).splitter(TwoWholes{}), crushed, Rock{}};
+  CHECK_THROWS_WITH_AS(
+      sim.step(), "particle 0: splitter: area of both pieces over the particle's = 2: must be 1",
+      SimulationError);
+  CHECK(sim.breaks().empty());
+  CHECK(sim.particles().size() == 4);
+}
+
+TEST_CASE("loads that are not finite are an error that names the particle, not an intact one") {
+  struct NoForce : LinearSpringCoulomb {
+    bool broken = false;
+    ContactForce operator()(const ContactGeometry& geometry, const ContactMotion& motion,
+                            History& history) const {
+      ContactForce force = LinearSpringCoulomb::operator()(geometry, motion, history);
+      if (broken) force.normal = std::nan("");
+      return force;
+    }
+  };
+  const auto check = [](const auto& model) {
+    Simulation sim{model, crushed, Rock{}};
+    sim.step();
+    sim.contact_law().broken = true;
+    CHECK_THROWS_WITH_AS(sim.step(), doctest::Contains("particle 0: "),
+                         SimulationError);
+  };
+  const HoekBrown strong{.compressive_strength = 1e13};
+  const auto model = Model{}.boundary(NoBoundary{}).contact(NoForce{}).criterion(strong);
+  check(model);
+  check(model.support(TwoPinnedContacts{}));
+  check(model.integrator(VelocityVerlet{}));
 }

@@ -1,9 +1,11 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <riprap/dynamics/boundary/no_boundary.hpp>
+#include <riprap/dynamics/time_step/fixed_time_step.hpp>
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
 #include <string>
@@ -255,7 +257,7 @@ TEST_CASE("two runs give the same bytes") {
 
 TEST_CASE("a simulation that runs away says which particle") {
   Simulation sim{crushing_model(), test::square_between_platens(0), Rock{}};
-  sim.set_velocity(0, Vec2{std::numeric_limits<double>::quiet_NaN(), 0});
+  sim.set_velocity(0, Vec2{1e300, 0});
   try {
     sim.step();
     FAIL("no error");
@@ -273,4 +275,83 @@ TEST_CASE("bad input is refused before anything is computed") {
   fast.particles[2].velocity.x() = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH_AS((Simulation{Model{}, fast, Rock{}}), "particle 2: velocity must be finite",
                        InvalidInput);
+}
+
+TEST_CASE("velocities, body forces and bodies that do not exist are refused by name") {
+  Simulation sim{crushing_model(), test::square_between_platens(0), Rock{}};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {std::nan(""), infinity, -infinity}) {
+    CHECK_THROWS_AS(sim.set_velocity(1, {bad, 0}), InvalidInput);
+    CHECK_THROWS_AS(sim.set_velocity(0, {0, 0}, bad), InvalidInput);
+    CHECK_THROWS_AS(sim.set_body_force({0, bad}), InvalidInput);
+  }
+  CHECK_THROWS_WITH_AS(sim.set_velocity(2, {0, infinity}),
+                       "particle 2: velocity (0, inf) m/s, spin 0 rad/s: must be finite",
+                       InvalidInput);
+  CHECK_THROWS_WITH_AS(sim.set_velocity(3, {0, 0}), "body = 3: must be in the simulation",
+                       InvalidInput);
+  CHECK_THROWS_AS(sim.set_motion(3, Motion::free), InvalidInput);
+  CHECK_THROWS_AS((void)sim.element_stress(3), InvalidInput);
+  CHECK_THROWS_AS((void)sim.mesh(3), InvalidInput);
+  CHECK_NOTHROW(sim.step());
+}
+
+TEST_CASE("bodies that pass into each other, or start so, are an error with their overlap") {
+  const ConvexPolygon fragment{{0, 0}, {0.001, 0}, {0.001, 0.001}, {0, 0.001}};
+  const ConvexPolygon plate{{-0.02, -0.002}, {0.02, -0.002}, {0.02, 0}, {-0.02, 0}};
+  const auto model = crushing_model().criterion(NeverFails{});
+  // At 2000 m/s the spring of the plate, 2 mm thick, does not stop the fragment.
+  const Assembly shot{.particles = {{fragment.moved({}, {0, 0.0005}), Motion::free, {0, -2000}},
+                                    {plate, Motion::prescribed}}};
+  Simulation sim{model, shot, Rock{}};
+  const auto run = [&] {
+    for (int i = 0; i < 200; ++i) sim.step();
+  };
+  CHECK_THROWS_WITH_AS(run(), doctest::Contains("particle 0 and particle 1 overlap in"),
+                       SimulationError);
+  const Assembly twice{.particles = {{fragment}, {fragment}}};
+  CHECK_THROWS_WITH_AS((Simulation{model, twice, Rock{}}),
+                       "particle 0 and particle 1 overlap in 1 of the area of the smaller one: at "
+                       "most 0.75 makes a contact",
+                       InvalidInput);
+}
+
+TEST_CASE(
+    "a time step far above the critical one is an error before velocities are without sense") {
+  const auto model = crushing_model().criterion(NeverFails{}).time_step(FixedTimeStep{1e-4});
+  const ConvexPolygon square{{0, 0}, {0.005, 0}, {0.005, 0.005}, {0, 0.005}};
+  const Assembly pair{.particles = {{square}, {square.moved({}, {0.001, 0.00499})}}};
+  Simulation sim{model, pair, Rock{}};
+  double fastest = 0;
+  const auto run = [&] {
+    for (int i = 0; i < 10'000; ++i) {
+      sim.step();
+      fastest = std::max(fastest, sim.particles().body(0).velocity.norm());
+    }
+  };
+  CHECK_THROWS_WITH_AS(run(), doctest::Contains("in a time step of 1e-04 s by more than half its"),
+                       SimulationError);
+  CHECK(fastest < 100);
+}
+
+TEST_CASE("a square rests on a floor at its weight over the stiffness, however stiff") {
+  const double side = 0.005;
+  const ConvexPolygon square{{-side / 2, 0}, {side / 2, 0}, {side / 2, side}, {-side / 2, side}};
+  const ConvexPolygon floor{{-0.05, -0.01}, {0.05, -0.01}, {0.05, 0}, {-0.05, 0}};
+  for (const double stiffness : {1e7, 1e10, 1e12})
+    for (const double place : {0.0, 0.3}) {
+      CAPTURE(stiffness);
+      const LinearSpringCoulomb law{.normal_stiffness = stiffness,
+                                    .tangential_stiffness = stiffness};
+      const Assembly resting{.particles = {{square.moved({}, {place, 0})},
+                                           {floor.moved({}, {place, 0}), Motion::prescribed}}};
+      Simulation sim{crushing_model().criterion(NeverFails{}).contact(law), resting, Rock{}};
+      sim.set_body_force({0, -9.81});
+      for (int i = 0; i < 20'000; ++i) sim.step();
+      const double weight = 9.81 * sim.particles().body(0).mass;
+      // Coordinates below 10 mm are rounded to 1e-18 m, the depth is 1e-14 m at 1e12 N/m.
+      CHECK(-sim.particles().ring(0)[0].y() == near_relative(weight / stiffness, 1e-3));
+      CHECK(sim.particles().body(0).contact.force.y() == near_relative(weight, 1e-3));
+      CHECK(sim.particles().body(0).velocity.norm() < 1e-9);
+    }
 }

@@ -1,8 +1,16 @@
 #include <riprap/stress/boundary_load.hpp>
 
+#include <array>
+#include <cmath>
 #include <doctest/doctest.h>
 
+#include <riprap/stress/assemble_and_solve.hpp>
+#include <riprap/stress/compact_operator.hpp>
+#include <riprap/stress/element/constant_strain_triangle.hpp>
+#include <riprap/stress/mesh/fan_mesher.hpp>
 #include <riprap/stress/mesh/uniform_mesher.hpp>
+#include <riprap/stress/plane_state/plane_stress.hpp>
+#include <support/message_of.hpp>
 #include <support/polygons.hpp>
 
 using namespace riprap;
@@ -25,4 +33,39 @@ TEST_CASE("a load between two nodes, shared by its weights, keeps its force and 
 TEST_CASE("a boundary load is none until it is given a force") {
   CHECK(BoundaryLoad{}.force == Vec2{0, 0});
   CHECK(BoundaryLoad{}.normal_force == 0);
+}
+
+TEST_CASE("a load off the boundary or not finite is refused by every kernel that takes one") {
+  const Mesh mesh = FanMesher{2}(test::regular_polygon(5, 0.01).ring());  // node 10 is the centroid
+  const ConstantStrainTriangle element;
+  const PlaneStress plane;
+  const InfluenceOperator op(mesh, element, plane, Rock{}, 0.01, false);
+  const CompactOperator compact(op);
+  AssembleAndSolve whole(mesh, element, plane, Rock{}, 0.01,
+                         DeterminateSupport::on_opposite_sides(mesh));
+  ElementStress stress;
+  const auto refuse = [&](const BoundaryLoad& load, const char* rule) {
+    CAPTURE(rule);
+    const std::array loads{load};
+    stress.reset(mesh.size());
+    CHECK(test::message_of([&] { op.add_stress(load.at, load.force, stress); }) == rule);
+    CHECK(test::message_of([&] {
+            CompactStress out;
+            compact.find_stress(loads, 1, out);
+          }) == rule);
+    CHECK(test::message_of([&] { whole.solve_free(loads, stress); }) == rule);
+    CHECK(test::message_of([&] {
+            whole.solve_pinned(loads, {BoundaryPoint{0, 1, 1}, BoundaryPoint{5, 6, 1}}, stress);
+          }) == rule);
+  };
+  const double nan_value = std::nan("");
+  refuse({{9999, 0, 0.5}, {1, 0}}, "BoundaryPoint: node = 9999: must be a boundary node");
+  refuse({{0, 9999, 0.5}, {1, 0}}, "BoundaryPoint: node = 9999: must be a boundary node");
+  refuse({{10, 0, 0.5}, {1, 0}}, "BoundaryPoint: node = 10: must be a boundary node");
+  refuse({{0, 1, 1.5}, {1, 0}}, "BoundaryPoint.weight = 1.5: must lie in [0, 1]");
+  refuse({{0, 1, nan_value}, {1, 0}}, "BoundaryPoint.weight = nan: must lie in [0, 1]");
+  refuse({{0, 1, 0.5}, {nan_value, 0}}, "force of a boundary load (nan, 0) N: must be finite");
+  CHECK(test::message_of([&] {
+          whole.solve_pinned({}, {BoundaryPoint{0, 1, 1}, BoundaryPoint{10, 6, 1}}, stress);
+        }) == "BoundaryPoint: node = 10: must be a boundary node");
 }

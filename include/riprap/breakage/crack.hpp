@@ -2,6 +2,7 @@
 /// @file
 /// From the stress in a particle to the crack through it and the pieces it leaves.
 
+#include <cmath>
 #include <optional>
 #include <span>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include <riprap/breakage/failure_tally.hpp>
 #include <riprap/breakage/line_fit/concepts.hpp>
+#include <riprap/geometry/convex_polygon.hpp>
 #include <riprap/geometry/cut.hpp>
 #include <riprap/particle/body.hpp>
 #include <riprap/stress/element_stress.hpp>
@@ -37,8 +39,21 @@ failed_points(const C& criterion, const Mesh& mesh, const ElementStress& stress,
   return points;
 }
 
+namespace internal {
+
+/// A splitter must neither make nor lose mass; round-off far from the origin is allowed for.
+inline void require_whole(const CutRings& pieces, Ring ring) {
+  const double share =
+      (polygon_area(pieces.left) + polygon_area(pieces.right)) / polygon_area(ring);
+  require(std::abs(share - 1) <= 1e-9, "splitter: area of both pieces over the particle's", share,
+          "must be 1");
+}
+
+}  // namespace internal
+
 /// The line through the failed elements and the pieces on its two sides; nothing if there is no
-/// line or the splitter refuses.
+/// line, the splitter refuses, or a piece breaks a rule of ConvexPolygon (of at most 64 vertices).
+/// Throws InvalidInput if the areas of the pieces do not add up to that of the ring.
 /// @param model  offers `criterion`, `line_fit` and `splitter`
 /// @param tally  of `stress` under the criterion
 /// @param stress of the elements of `mesh`, in the body's own frame
@@ -59,7 +74,9 @@ template <class BreakagePart>
   if (!line) return std::nullopt;
   crack.line = *line;
   std::optional<CutRings> pieces = model.splitter(ring, *line, mean_area);
-  if (!pieces) return std::nullopt;
+  if (!pieces || !try_convex_polygon(pieces->left) || !try_convex_polygon(pieces->right))
+    return std::nullopt;
+  internal::require_whole(*pieces, ring);
   crack.pieces = std::move(*pieces);
   return crack;
 }

@@ -11,6 +11,7 @@
 #include <span>
 
 #include <riprap/breakage/criterion/concepts.hpp>
+#include <riprap/core/errors.hpp>
 #include <riprap/core/stress2.hpp>
 
 namespace riprap {
@@ -32,18 +33,32 @@ struct ElementFailure {
   [[nodiscard]] double weight() const { return 1 / safety_factor; }
 };
 
+namespace internal {
+
+[[noreturn, gnu::cold, gnu::noinline]] inline void throw_not_finite(const Stress2& stress) {
+  throw InvalidInput("evaluate: stress (" + to_text(stress.s11) + ", " + to_text(stress.s22) +
+                     ", " + to_text(stress.s12) + ") Pa: must be finite");
+}
+[[noreturn, gnu::cold, gnu::noinline]] inline void throw_no_strength(double minor, double limit) {
+  throw InvalidInput("criterion: major_stress_at_failure(" + to_text(minor) +
+                     " Pa) = " + to_text(limit) + ": must be a number");
+}
+
+}  // namespace internal
+
 /// Eq. 2, compression positive. Tension first: sigma_3 <= -sigma_t, SF = sigma_t / |sigma_3|. Then
 /// shear: sigma_1 >= sigma_1f, SF = sigma_1f / sigma_1. An intact element without compression has
 /// no ratio: infinity. In the narrow band next to the tensile strength where sigma_1f itself is not
 /// positive, the ratio of eq. 2 has no meaning; such an element counts as failed in tension. Just
 /// above that band sigma_1f is small and the ratio, as eq. 2 has it, falls towards 0: one such
 /// element can outweigh all others in the line fit.
+/// Throws InvalidInput for a stress, or a strength of the criterion, that is not a number.
 template <FailureCriterion C>
 [[nodiscard]] ElementFailure evaluate(const C& criterion, const Stress2& stress) {
-  const double centre = stress.mean();
-  const double radius = stress.radius();
-  const double major = centre + radius;
-  const double minor = centre - radius;
+  const auto [major, minor] = stress.principal_values();
+  // Any component that is not finite makes the difference NaN or infinite.
+  if (!(major - minor < std::numeric_limits<double>::infinity()))
+    internal::throw_not_finite(stress);
   const double tensile = criterion.tensile_strength();
   if (minor <= -tensile) return {FailureMode::tension, tensile / -minor};
   const double limit = criterion.major_stress_at_failure(minor);
@@ -51,6 +66,7 @@ template <FailureCriterion C>
     if (limit <= 0) return {FailureMode::tension, std::min(1.0, tensile / std::abs(minor))};
     return {FailureMode::shear, limit / major};
   }
+  if (!(major < limit)) internal::throw_no_strength(minor, limit);
   if (major > 0) return {FailureMode::intact, limit / major};
   return {};
 }

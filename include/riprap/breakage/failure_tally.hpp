@@ -24,7 +24,7 @@ struct FailureTally {
   }
 };
 
-/// Evaluates the criterion in every element.
+/// Evaluates the criterion in every element. Throws InvalidInput for a stress that is not finite.
 template <FailureCriterion C>
 [[nodiscard]] FailureTally tally_failures(const C& criterion, const ElementStress& stress) {
   FailureTally tally{.elements = stress.size()};

@@ -136,6 +136,17 @@ class ContactList {
     lap(StepPart::contact_law);
   }
 
+  /// Share of the area of the smaller of two particles beyond which they lie in each other rather
+  /// than touch: one has passed into the other, or they started so.
+  static constexpr double most_overlap = 0.75;
+
+  /// Throws SimulationError, naming the particles, where one lies in another by more than that.
+  void check_overlaps(const Particles& particles) const {
+    double largest = 0;
+    for (const Task& task : tasks_) largest = std::max(largest, task.largest_overlap);
+    if (largest > most_overlap * smallest_area_) find_deep_overlap(particles);
+  }
+
   /// Has the pairs found anew at the next update, whatever has moved.
   void invalidate() {
     neighbours_.invalidate();
@@ -235,6 +246,9 @@ class ContactList {
     for (const Key& k : keys_)
       numbering_ = spread_bits(numbering_ ^ (static_cast<std::uint64_t>(k.a) << 32 | k.b));
     share_out(particles.size());
+    smallest_area_ = std::numeric_limits<double>::infinity();
+    for (BodyIndex i = 0; i < particles.size(); ++i)
+      smallest_area_ = std::min(smallest_area_, particles.shape(i).area);
   }
 
   // One task has the pairs whose first body is one of its own: it alone adds forces to them. What
@@ -253,6 +267,7 @@ class ContactList {
     std::vector<std::uint32_t> of_others{};
     // Those of its own that touch across the border of a periodic plane.
     std::vector<std::uint32_t> across{};
+    double largest_overlap = 0;  // [m^2]
     double slipped = 0;
     double damped = 0;
     std::vector<Deferred> deferred{};
@@ -384,6 +399,7 @@ class ContactList {
     for (std::size_t i = task.first_body; i < task.last_body; ++i)
       particles.body(static_cast<BodyIndex>(i)).contact = Wrench{};
     task.deferred.clear();
+    double largest_overlap = 0;
     double slipped = 0;
     double damped = 0;
     for (const std::uint32_t k : touching(task)) {
@@ -391,6 +407,7 @@ class ContactList {
       Body& a = particles.body(contact.a);
       Body& b = particles.body(contact.b);
       find_arms(contact, a, b);
+      largest_overlap = std::max(largest_overlap, contact.geometry.area);
       const Vec2& n = contact.geometry.normal;
       const Vec2 relative = relative_velocity(contact, particles);
       const double along = relative.y() * n.x() - relative.x() * n.y();
@@ -410,6 +427,7 @@ class ContactList {
       else
         task.deferred.push_back({contact.b, {on_b, moment}});
     }
+    task.largest_overlap = largest_overlap;
     task.slipped = slipped;
     task.damped = damped;
   }
@@ -422,6 +440,19 @@ class ContactList {
       slipped_ += task.slipped;
       damped_ += task.damped;
     }
+  }
+
+  [[gnu::cold]] void find_deep_overlap(const Particles& particles) const {
+    for_each_touching([&](const ContactType& contact) {
+      const bool first = particles.shape(contact.a).area < particles.shape(contact.b).area;
+      const BodyIndex smaller = first ? contact.a : contact.b;
+      const double share = contact.geometry.area / particles.shape(smaller).area;
+      if (share <= most_overlap) return;
+      throw SimulationError(particle_text(particles.ancestry(contact.a).id) + " and " +
+                            particle_text(particles.ancestry(contact.b).id) + " overlap in " +
+                            to_text(share) + " of the area of the smaller one: at most " +
+                            to_text(most_overlap) + " makes a contact");
+    });
   }
 
   void find_arms(ContactType& contact, const Body& a, const Body& b) const {
@@ -453,6 +484,7 @@ class ContactList {
   std::vector<std::uint32_t> earlier_;  // places of the pairs
   std::vector<Task> tasks_;
   std::vector<std::uint32_t> touching_;  // of each task, at the place of its pairs
+  double smallest_area_ = 0;             // of a particle [m^2]
   double slipped_ = 0;
   double damped_ = 0;
   // Of a rebuild; kept for their memory.

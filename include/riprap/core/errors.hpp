@@ -23,8 +23,9 @@ struct SimulationError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Shortest text that reads back as the same number.
+/// Shortest text that reads back as the same number; "nan" whatever its sign.
 [[nodiscard, gnu::cold]] inline std::string to_text(double value) {
+  if (std::isnan(value)) return "nan";
   char buffer[32];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
   return {buffer, end};
@@ -47,6 +48,10 @@ inline void require(bool holds, std::string_view name, double value, std::string
 
 inline void require_positive(std::string_view name, double value) {
   require(std::isfinite(value) && value > 0, name, value, "must be a finite number above 0");
+}
+
+inline void require_finite(std::string_view name, double value) {
+  require(std::isfinite(value), name, value, "must be a finite number");
 }
 
 inline void require_non_negative(std::string_view name, double value) {

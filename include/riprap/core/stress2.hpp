@@ -16,6 +16,12 @@ struct PrincipalStress {
   Vec2 major_direction{1, 0};
 };
 
+/// Principal stresses alone [Pa].
+struct PrincipalValues {
+  double major = 0;
+  double minor = 0;
+};
+
 /// Symmetric in-plane stress [Pa], compression positive.
 struct Stress2 {
   double s11 = 0;
@@ -39,14 +45,22 @@ struct Stress2 {
     return std::sqrt(half * half + s12 * s12);
   }
 
+  /// The larger and the smaller normal stress, moved apart by Jacobi's rotation: mean() - radius()
+  /// would cancel where the minor stress is small beside the major one.
+  [[nodiscard]] PrincipalValues principal_values() const {
+    const double sum = radius() + 0.5 * std::abs(s11 - s22);
+    const double shift = sum == 0 ? 0 : s12 * (s12 / sum);
+    return {std::max(s11, s22) + shift, std::min(s11, s22) - shift};
+  }
+
   [[nodiscard]] PrincipalStress principal() const {
-    const double c = mean();
+    const auto [major, minor] = principal_values();
     const double r = radius();
-    if (r == 0) return {c, c, Vec2{1, 0}};
+    if (r == 0) return {major, minor, Vec2{1, 0}};
     // Of the two columns of (sigma - minor I) the longer one is the accurate eigenvector.
     const double half = 0.5 * (s11 - s22);
     const Vec2 v = half >= 0 ? Vec2{r + half, s12} : Vec2{s12, r - half};
-    return {c + r, c - r, v / std::sqrt(v.dot(v))};
+    return {major, minor, v / std::sqrt(v.dot(v))};
   }
 
   /// The same stress in axes turned by `r`: components along r * e1 and r * e2 become those along

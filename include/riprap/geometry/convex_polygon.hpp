@@ -2,7 +2,9 @@
 /// @file
 /// A convex polygon that is known to be one.
 
+#include <algorithm>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -77,12 +79,21 @@ class ConvexPolygon {
                        to_text(tolerance) + " m (strictly convex, counter-clockwise)");
   }
 
+  [[noreturn, gnu::cold]] static void throw_out_of_range(double extent) {
+    throw InvalidInput("polygon has a diameter of " + to_text(extent) +
+                       " m: must lie between 1e-70 and 1e70 m, for areas and moments of inertia of "
+                       "others overflow or underflow");
+  }
+
   // Every vertex lies to the left of every edge: that is convexity, orientation and a single
   // winding in one rule. The distance asked for is far below any physical feature and far above
   // round-off in coordinates up to a thousand diameters from the origin.
   void check_convex() const {
-    const double tolerance = 1e-9 * diameter(vertices_);
-    if (!(tolerance > 0)) throw InvalidInput("polygon has no extent: all vertices coincide");
+    const double extent = diameter(vertices_);
+    const double tolerance = 1e-9 * extent;
+    if (std::all_of(begin(), end(), [this](const Vec2& v) { return v == vertices_[0]; }))
+      throw InvalidInput("polygon has no extent: all vertices coincide");
+    if (!(extent >= 1e-70 && extent <= 1e70)) throw_out_of_range(extent);
     // All edges first: beside an edge without length, its own ends would be blamed for a corner.
     for (std::size_t i = 0; i < size(); ++i) {
       const std::size_t next = (i + 1) % size();
@@ -102,5 +113,14 @@ class ConvexPolygon {
 
   std::vector<Vec2> vertices_;
 };
+
+/// The polygon, or nothing where the vertices break one of its rules.
+[[nodiscard]] inline std::optional<ConvexPolygon> try_convex_polygon(std::vector<Vec2> vertices) {
+  try {
+    return ConvexPolygon(std::move(vertices));
+  } catch (const InvalidInput&) {
+    return std::nullopt;
+  }
+}
 
 }  // namespace riprap

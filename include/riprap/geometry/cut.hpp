@@ -2,8 +2,12 @@
 /// @file
 /// A convex ring cut by a straight line into two.
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <riprap/core/vec2.hpp>
@@ -26,35 +30,104 @@ struct CutRings {
   std::vector<Vec2> right;
 };
 
-/// Cuts a convex ring. Vertices within `relative_snap` diameters of the line are taken to lie on
-/// it, so that no edge comes out too short to matter; both parts use the same points, so that their
-/// areas add up. Nothing if the line leaves one side empty.
+namespace internal {
+
+/// Sides of the vertices of a convex ring: 1 left of the line, -1 right of it, 0 at an end of the
+/// cut. Of neighbouring vertices within `snap` of the line the nearest one is an end; the others
+/// keep to the side of the ring that they continue, so that no edge becomes part of both pieces.
+/// Empty unless the ring changes sides exactly twice.
+[[nodiscard]] inline std::vector<signed char> cut_sides(std::span<const double> distances,
+                                                        double snap) {
+  const std::size_t n = distances.size();
+  std::vector<signed char> sides;
+  for (const double d : distances)
+    sides.push_back(std::abs(d) <= snap ? 0 : static_cast<signed char>(d > 0 ? 1 : -1));
+  std::size_t first = 0;
+  while (first < n && sides[first] == 0) ++first;
+  if (first == n) return {};
+  int changes = 0;
+  std::size_t last = first;  // vertex clear of the line
+  for (std::size_t k = first + 1; k <= first + n; ++k) {
+    const signed char side = sides[k % n];
+    if (side == 0) continue;
+    std::size_t end = k;
+    if (side != sides[last % n]) {
+      ++changes;
+      for (std::size_t m = last + 1; m < k; ++m)
+        if (end == k || std::abs(distances[m % n]) < std::abs(distances[end % n])) end = m;
+    }
+    for (std::size_t m = last + 1; m < k; ++m)
+      if (m != end) sides[m % n] = m < end ? sides[last % n] : side;
+    last = k;
+  }
+  if (changes != 2) return {};
+  return sides;
+}
+
+/// Area in extended precision, for rings whose width is a small share of their length.
+[[nodiscard]] inline long double extended_area(Ring ring) {
+  const auto from_first = [&](std::size_t i, Eigen::Index axis) {
+    return static_cast<long double>(ring[i][axis]) - ring[0][axis];
+  };
+  long double twice_area = 0;
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+    twice_area += from_first(i, 0) * from_first(i + 1, 1) - from_first(i, 1) * from_first(i + 1, 0);
+  return twice_area / 2;
+}
+
+/// The point that divides the edge from p to q at `share`. Coordinates are rounded, so the point
+/// lies beside the edge and makes a triangle with it, whose area the pieces gain or lose. Where
+/// twice that area is above `negligible` [m^2], the best of 128 points near it on the edge is
+/// taken.
+[[nodiscard]] inline Vec2 point_on_edge(const Vec2& p, const Vec2& q, double share,
+                                        double negligible) {
+  const Vec2 edge = q - p;
+  Vec2 best = p + share * edge;
+  double least = std::abs(cross(edge, best - p));
+  const double step = 1e-8 * std::min(share, 1 - share);
+  for (int k = 1; k <= 64 && least > negligible; ++k)
+    for (const int side : {-k, k}) {
+      const Vec2 x = p + (share + side * step) * edge;
+      const double twice_area = std::abs(cross(edge, x - p));
+      if (twice_area >= least) continue;
+      least = twice_area;
+      best = x;
+    }
+  return best;
+}
+
+}  // namespace internal
+
+/// Cuts a convex ring. Of the vertices within `relative_snap` diameters of either end of the cut
+/// the nearest one becomes that end, so that no edge comes out too short to matter. The pieces
+/// share both ends of the cut, and each vertex of the ring that is no end belongs to one of them:
+/// they do not overlap, and their areas add up to that of the ring to a share of 1e-12. Nothing if
+/// the line leaves one side empty, or if round-off keeps the areas from adding up (needles of less
+/// than a millionth of their length).
 [[nodiscard]] inline std::optional<CutRings> cut(Ring ring, const Line& line,
                                                  double relative_snap = 1e-6) {
-  const double snap = relative_snap * diameter(ring);
-  const auto side = [&](std::size_t i) {
-    const double d = line.left_distance(ring[i]);
-    return std::abs(d) <= snap ? 0.0 : d;
-  };
+  std::vector<double> distances;
+  for (const Vec2& v : ring) distances.push_back(line.left_distance(v));
+  const double size = diameter(ring);
+  const std::vector<signed char> sides = internal::cut_sides(distances, relative_snap * size);
+  if (sides.empty()) return std::nullopt;
+  const long double area = internal::extended_area(ring);
   CutRings parts;
-  bool any_left = false;
-  bool any_right = false;
-  double d = side(0);
   for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (sides[i] >= 0) parts.left.push_back(ring[i]);
+    if (sides[i] <= 0) parts.right.push_back(ring[i]);
     const std::size_t next = (i + 1) % ring.size();
-    const double d_next = side(next);
-    any_left |= d > 0;
-    any_right |= d < 0;
-    if (d >= 0) parts.left.push_back(ring[i]);
-    if (d <= 0) parts.right.push_back(ring[i]);
-    if (d * d_next < 0) {
-      const Vec2 x = ring[i] + (d / (d - d_next)) * (ring[next] - ring[i]);
-      parts.left.push_back(x);
-      parts.right.push_back(x);
-    }
-    d = d_next;
+    if (sides[i] * sides[next] >= 0) continue;
+    const double share = distances[i] / (distances[i] - distances[next]);
+    const Vec2 x =
+        internal::point_on_edge(ring[i], ring[next], share, static_cast<double>(0.4e-12L * area));
+    parts.left.push_back(x);
+    parts.right.push_back(x);
   }
-  if (!any_left || !any_right) return std::nullopt;
+  const long double miss =
+      internal::extended_area(parts.left) + internal::extended_area(parts.right) - area;
+  const long double round_off = 4 * std::numeric_limits<long double>::epsilon() * size * size;
+  if (!(std::abs(miss) + round_off <= 1e-12L * area)) return std::nullopt;
   return parts;
 }
 

@@ -6,20 +6,34 @@
 #include <cmath>
 #include <numbers>
 
+#include <riprap/core/errors.hpp>
 #include <riprap/core/stress2.hpp>
 #include <riprap/core/vec2.hpp>
 
 namespace riprap {
 
+namespace internal {
+
+inline void require_finite_sum(const Stress2& sum) {
+  require_finite("average_stress: sum of contact forces times branch vectors [N m]",
+                 sum.s11 + sum.s22 + sum.s12);
+}
+
+}  // namespace internal
+
 /// Eq. 13 (Rothenburg 1980): sigma_ij = 1 / (A t) sum of f_i l_j over contacts, compression
 /// positive, symmetric part. `contacts` offers for_each_touching(visit); f is the force on b, l the
 /// branch from a to b.
 /// @param area of the assembly [m^2]; @param thickness [m]
+/// Throws InvalidInput unless both are above 0 and the sum is finite.
 template <class Contacts>
 [[nodiscard]] Stress2 average_stress(const Contacts& contacts, double area, double thickness) {
+  require_positive("average_stress: area", area);
+  require_positive("average_stress: thickness", thickness);
   Stress2 sum;
   contacts.for_each_touching(
       [&sum](const auto& c) { sum += symmetric_product(c.force_on_b(), c.branch()); });
+  internal::require_finite_sum(sum);
   return (1 / (area * thickness)) * sum;
 }
 
@@ -49,12 +63,15 @@ struct Ellipse {
 template <class Contacts>
 [[nodiscard]] Stress2 average_stress_within(const Contacts& contacts, const Ellipse& region,
                                             double thickness) {
+  require_positive("average_stress_within: area", region.area());
+  require_positive("average_stress_within: thickness", thickness);
   Stress2 sum;
   contacts.for_each_touching([&](const auto& c) {
     const double share =
         region.share_inside(c.geometry.point - c.arm_a, c.geometry.point - c.arm_b);
     sum += symmetric_product(c.force_on_b(), share * c.branch());
   });
+  internal::require_finite_sum(sum);
   return (1 / (region.area() * thickness)) * sum;
 }
 

@@ -3,9 +3,11 @@
 /// Anisotropy of contact normals, contact forces and branch vectors: eqs 9 to 11 of the paper.
 
 #include <cmath>
+#include <cstddef>
 #include <span>
 #include <vector>
 
+#include <riprap/core/errors.hpp>
 #include <riprap/core/vec2.hpp>
 
 namespace riprap {
@@ -53,6 +55,9 @@ struct Fabric {
   Anisotropy tangential_branches{};  ///< b_t
   double mean_normal_force = 0;      ///< f_0 [N], mean over orientations, not over contacts
   double mean_branch = 0;            ///< l_0 [m], likewise
+  /// Contacts left out of all but a: with a >= 1 the density of eq. 9 is not positive in their
+  /// direction, so that no average over orientations has a weight for them.
+  std::size_t left_out = 0;
 };
 
 namespace internal {
@@ -77,11 +82,16 @@ struct Deviator {
 
 /// Second-order moments give the coefficients, without bins. Forces and branches are averaged over
 /// orientations: each contact is weighted by 1 / (1 + a cos 2(theta - theta_0)), for a plain
-/// average over contacts biases a_n.
+/// average over contacts biases a_n. Throws InvalidInput for a sample that is not finite.
 [[nodiscard]] inline Fabric fabric(std::span<const ContactSample> samples) {
   Fabric result;
   internal::Deviator normals;
-  for (const ContactSample& s : samples) normals.add(1, s.normal, s.normal);
+  for (const ContactSample& s : samples) {
+    require_finite("fabric: sum of a contact's normal, forces and branch vector",
+                   s.normal.x() + s.normal.y() + s.normal_force + s.tangential_force +
+                       s.branch.x() + s.branch.y());
+    normals.add(1, s.normal, s.normal);
+  }
   result.normals = normals.anisotropy(static_cast<double>(samples.size()));
 
   const double a = result.normals.coefficient;
@@ -96,8 +106,10 @@ struct Deviator {
   for (const ContactSample& s : samples) {
     const double along = major.dot(s.normal);
     const double density = 1 + a * (2 * along * along - 1);
-    // Only a fabric with no contact in some direction (a >= 1) has such samples; they carry none.
-    if (density <= 0) continue;
+    if (density <= 0) {
+      ++result.left_out;
+      continue;
+    }
     const double w = 1 / density;
     const Vec2 tangent = perpendicular(s.normal);
     const double l_n = s.branch.dot(s.normal);

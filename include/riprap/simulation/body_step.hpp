@@ -46,7 +46,8 @@ class BodyStep {
   }
 
   /// Forces of the present poses move bodies `first` to `last` to the next ones. Returns the work
-  /// done on them; throws SimulationError, naming the particle, if its motion is no longer finite.
+  /// done on them; throws SimulationError, naming the particle, if its state is no longer finite,
+  /// or if a step takes it so far that contacts could be missed.
   [[nodiscard]] BodyWork advance(Particles& particles, BodyIndex first, BodyIndex last) const {
     const double kick_time = first_kick_time();
     BodyWork work;
@@ -56,17 +57,20 @@ class BodyStep {
         kick_free(body, kick_time, work, [this](Body& b, const Wrench& w) {
           motion_.integrator.advance(b, w, time_step_);
         });
-        if (!is_finite(body))
-          throw SimulationError(particle_text(particles.ancestry(i).id) +
-                                ": motion is no longer finite; the time step may be too long");
       } else {
         drift(body, time_step_);
         book_driven(body, kick_time, work);
       }
+      if (!is_finite(body)) throw_not_finite(particles, i);
     }
     // In a loop of its own: a body's new pose comes out of a long chain of operations, and rings
     // that wait for it leave no room for the next body's.
-    for (BodyIndex i = first; i < last; ++i) particles.update_ring(i);
+    bool leaps = false;
+    for (BodyIndex i = first; i < last; ++i) {
+      leaps |= leaps_over(particles, i);
+      particles.update_ring(i);
+    }
+    if (leaps) throw_leap(particles, first, last);
     return work;
   }
 
@@ -118,6 +122,35 @@ class BodyStep {
   static void book_driven(const Body& body, double kick_time, BodyWork& work) {
     work.boundary -= kick_time * (body.contact.force.dot(body.velocity) +
                                   body.contact.moment * body.angular_velocity);
+  }
+
+  // Whether a vertex moves by more than half the circumradius: a contact may begin and end within
+  // a step or two.
+  [[nodiscard]] bool leaps_over(const Particles& particles, BodyIndex i) const {
+    const Body& body = particles.body(i);
+    const double reach = particles.shape(i).circumradius;
+    const double spin = reach * body.angular_velocity;
+    const double squared = body.velocity.dot(body.velocity) + spin * spin;
+    return squared * (time_step_ * time_step_) > 0.25 * (reach * reach);
+  }
+  [[noreturn, gnu::cold]] void throw_leap(const Particles& particles, BodyIndex first,
+                                          BodyIndex last) const {
+    BodyIndex i = first;
+    while (i + 1 < last && !leaps_over(particles, i)) ++i;
+    const Body& body = particles.body(i);
+    throw SimulationError(
+        particle_text(particles.ancestry(i).id) + ": moves at " + to_text(body.velocity.norm()) +
+        " m/s and " + to_text(body.angular_velocity) + " rad/s, in a time step of " +
+        to_text(time_step_) + " s by more than half its circumradius of " +
+        to_text(particles.shape(i).circumradius) + " m: contacts would be missed");
+  }
+
+  [[noreturn, gnu::cold]] static void throw_not_finite(const Particles& particles, BodyIndex i) {
+    const Body& body = particles.body(i);
+    throw SimulationError(particle_text(particles.ancestry(i).id) + ": position (" +
+                          to_text(body.position.x()) + ", " + to_text(body.position.y()) +
+                          ") m, spin " + to_text(body.angular_velocity) +
+                          " rad/s: no longer finite");
   }
 
   [[nodiscard]] static bool is_finite(const Body& body) {

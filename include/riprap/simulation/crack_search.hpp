@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <riprap/breakage/crack.hpp>
+#include <riprap/core/errors.hpp>
 #include <riprap/core/execution/serial.hpp>
 #include <riprap/core/step_part.hpp>
 #include <riprap/particle/particles.hpp>
@@ -49,19 +50,8 @@ class CrackSearch {
     if constexpr (foreseen<BreakagePart, StressPart>)
       clear_suspects(breakage, particles, stresses, execution);
     cracks_.clear();
-    for (const BodyIndex i : suspects_) {
-      const ElementStress& stress =
-          stresses.evaluate(particles, i, load_scale(breakage.trigger, particles, i));
-      const FailureTally tally = tally_failures(breakage.criterion, stress);
-      if (!breakage.trigger(tally)) continue;
-      std::optional<Crack> crack =
-          find_crack(breakage, tally, stresses.influence(particles, i).mesh(), stress,
-                     particles.body(i), particles.ring(i), mean_area);
-      if (crack)
-        cracks_.emplace_back(i, std::move(*crack));
-      else
-        refusals_[i] = {true, stresses.partners(particles, i)};
-    }
+    for (const BodyIndex i : suspects_)
+      naming_particle(particles, i, [&] { check(breakage, particles, i, stresses, mean_area); });
     std::sort(cracks_.begin(), cracks_.end(), [&](const auto& p, const auto& q) {
       return particles.ancestry(p.first).id < particles.ancestry(q.first).id;
     });
@@ -90,6 +80,33 @@ class CrackSearch {
       stresses.watch_for_contacts(i);
     }
     return stresses.contact_count(i) > 0;
+  }
+
+  // Runs `work`, and says of which particle it was if its input broke a rule.
+  template <class Work>
+  static void naming_particle(const Particles& particles, BodyIndex i, Work&& work) {
+    try {
+      work();
+    } catch (const InvalidInput& error) {
+      throw SimulationError(particle_text(particles.ancestry(i).id) + ": " + error.what());
+    }
+  }
+
+  // Evaluates particle i and keeps its crack, or that its cut was refused.
+  template <class BreakagePart, class StressPart>
+  void check(const BreakagePart& breakage, const Particles& particles, BodyIndex i,
+             ParticleStress<StressPart>& stresses, double mean_area) {
+    const ElementStress& stress =
+        stresses.evaluate(particles, i, load_scale(breakage.trigger, particles, i));
+    const FailureTally tally = tally_failures(breakage.criterion, stress);
+    if (!breakage.trigger(tally)) return;
+    std::optional<Crack> crack =
+        find_crack(breakage, tally, stresses.influence(particles, i).mesh(), stress,
+                   particles.body(i), particles.ring(i), mean_area);
+    if (crack)
+      cracks_.emplace_back(i, std::move(*crack));
+    else
+      refusals_[i] = {true, stresses.partners(particles, i)};
   }
 
   // Everyone that has to be evaluated, in order.
@@ -138,8 +155,10 @@ class CrackSearch {
       execution.run(std::min(shares, last - first), [&](std::size_t share) {
         for (std::size_t k = first + share; k < last; k += shares) {
           const BodyIndex i = suspects_[k];
-          may_break_[k] = stresses.may_break(particles, i, load_scale(trigger, particles, i),
-                                             needed, workspaces_[share]);
+          naming_particle(particles, i, [&] {
+            may_break_[k] = stresses.may_break(particles, i, load_scale(trigger, particles, i),
+                                               needed, workspaces_[share]);
+          });
         }
       });
       stresses.trim_operators();

@@ -13,6 +13,7 @@
 
 #include <riprap/breakage/failure_distance.hpp>
 #include <riprap/contact/pair_index.hpp>
+#include <riprap/core/errors.hpp>
 #include <riprap/core/execution/serial.hpp>
 #include <riprap/core/hash.hpp>
 #include <riprap/material/rock.hpp>
@@ -128,9 +129,12 @@ class ParticleStress {
     const InfluenceOperator& op = influence(particles, i);
     const Rotation& rotation = particles.body(i).rotation;
     settled_.clear();
-    for (const ContactLoad& load : loads(i))
+    for (const ContactLoad& load : loads(i)) {
+      require_finite("sum of a contact's arm and force",
+                     load.arm.x() + load.arm.y() + load.force.x() + load.force.y());
       settled_.push_back({op.mesh().nearest_boundary_point(rotation.inverse_times(load.arm)),
                           rotation.inverse_times(load.force), load.normal_force});
+    }
     operators_.model().support.settle(std::span<BoundaryLoad>(settled_), op);
     stress_.reset(op.mesh().size());
     for (const BoundaryLoad& load : settled_) op.add_stress(load.at, scale * load.force, stress_);

@@ -3,6 +3,7 @@
 /// The simulation: particles, contacts and stress under one model, advanced step by step.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -19,6 +20,7 @@
 #include <riprap/simulation/model.hpp>
 #include <riprap/simulation/observer.hpp>
 #include <riprap/simulation/particle_stress.hpp>
+#include <riprap/simulation/piece_limit.hpp>
 
 namespace riprap {
 
@@ -79,6 +81,11 @@ class Simulation {
       boundary().enclose(assembly, particles_);
     if constexpr (Plane::periodic) contacts_.set_plane(boundary().plane());
     contacts_.update(particles_, 0, model_.execution_policy);
+    try {
+      contacts_.check_overlaps(particles_);
+    } catch (const SimulationError& error) {
+      throw InvalidInput(error.what());
+    }
   }
 
   Simulation(const Simulation&) = delete;
@@ -86,7 +93,8 @@ class Simulation {
   Simulation(Simulation&&) = default;
   Simulation& operator=(Simulation&&) = default;
 
-  /// One time step. Throws SimulationError, naming the particle, if its motion is no longer finite.
+  /// One time step. Throws SimulationError, naming the particle, if its state is no longer finite,
+  /// if the step takes it past others or into another, or if it breaks into pieces without end.
   template <class... Observers>
   void step(Observers&&... observers) {
     const auto lap = laps(observers...);
@@ -102,6 +110,7 @@ class Simulation {
     }
     lap(StepPart::elsewhere);
     contacts_.update(particles_, time_step_, model_.execution_policy, lap);
+    contacts_.check_overlaps(particles_);
     (hooks::after_forces(observers, *this), ...);
     lap(StepPart::elsewhere);
     finish_bodies();
@@ -131,13 +140,20 @@ class Simulation {
 
   // What an experiment may change between steps.
 
-  /// Gives body i a velocity [m/s] and a spin [rad/s].
+  /// Gives body i a velocity [m/s] and a spin [rad/s]. Throws InvalidInput for a body that is not
+  /// there and for numbers that are not finite.
   void set_velocity(BodyIndex i, const Vec2& velocity, double spin = 0) {
+    require_body(i);
+    if (!is_finite(velocity) || !std::isfinite(spin))
+      throw InvalidInput(particle_text(particles_.ancestry(i).id) + ": velocity (" +
+                         to_text(velocity.x()) + ", " + to_text(velocity.y()) + ") m/s, spin " +
+                         to_text(spin) + " rad/s: must be finite");
     particles_.body(i).velocity = velocity;
     particles_.body(i).angular_velocity = spin;
   }
   /// Frees or holds body i. Chooses the time step anew, for a lighter body may be free now.
   void set_motion(BodyIndex i, Motion motion) {
+    require_body(i);
     particles_.body(i).motion = motion;
     contacts_.invalidate();
     choose_time_step();
@@ -149,7 +165,11 @@ class Simulation {
   void set_breakage(bool active) { breakage_active_ = active; }
   [[nodiscard]] bool breakage() const { return breakage_active_; }
   /// Acceleration of the uniform body force on free bodies [m/s^2].
-  void set_body_force(const Vec2& acceleration) { body_force_ = acceleration; }
+  void set_body_force(const Vec2& acceleration) {
+    require_finite("body force along axis 1", acceleration.x());
+    require_finite("body force along axis 2", acceleration.y());
+    body_force_ = acceleration;
+  }
   [[nodiscard]] const Vec2& body_force() const { return body_force_; }
   /// Replaces the time step [s] that the rule chose; stability is the caller's affair.
   void set_time_step(double seconds) {
@@ -162,10 +182,12 @@ class Simulation {
 
   /// Evaluates particle i now: its element stresses, in its own frame.
   [[nodiscard]] ElementStress element_stress(BodyIndex i) const {
+    require_body(i);
     stress_.gather(particles_, contacts_);
     return stress_.evaluate(particles_, i);
   }
   [[nodiscard]] const Mesh& mesh(BodyIndex i) const {
+    require_body(i);
     return stress_.influence(particles_, i).mesh();
   }
 
@@ -186,6 +208,10 @@ class Simulation {
   }
 
  private:
+  void require_body(BodyIndex i) const {
+    require(i < particles_.size(), "body", i, "must be in the simulation");
+  }
+
   [[nodiscard]] static ModelType validated(ModelType model, const Assembly& assembly,
                                            const Rock& rock) {
     model.validate();
@@ -253,6 +279,8 @@ class Simulation {
         crack_search_.find(model_.breakage_model, particles_, contacts_, stress_, mean_area_,
                            model_.execution_policy, lap);
     if (cracks.empty()) return;
+    for (const auto& [i, crack] : cracks)
+      piece_limit_.add_break(model_.breakage_model.splitter, particles_.ancestry(i));
     const std::size_t first = breaks_.size();
     (hooks::before_splits(observers, *this), ...);
     for (const auto& [i, crack] : cracks) split(i, crack);
@@ -323,6 +351,7 @@ class Simulation {
   BodyWork work_;
   std::vector<BodyWork> task_work_;
   CrackSearch crack_search_;
+  PieceLimit piece_limit_;
   std::vector<BreakEvent> breaks_;
 };
 

@@ -46,13 +46,16 @@ struct DeterminateSupport {
 template <Element E, PlaneState P>
 class AssembleAndSolve {
  public:
-  /// Also factorises.
+  /// Also factorises. Throws InvalidInput for a mesh, a rock, a thickness or a support that breaks
+  /// a rule.
   /// @param mesh      anywhere in the plane; its centroid need not be the origin
   /// @param thickness out of plane [m]
   AssembleAndSolve(Mesh mesh, const E& element, const P& plane, const Rock& rock, double thickness,
                    const DeterminateSupport& support)
       : mesh_(std::move(mesh)), element_(element), elasticity_(plane.elasticity(rock)),
         density_(rock.density), thickness_(thickness) {
+    mesh_.validate();
+    rock.validate();
     require_positive("AssembleAndSolve.thickness", thickness);
     integrate_mass();
     number_unknowns(support);
@@ -80,7 +83,7 @@ class AssembleAndSolve {
   }
 
   /// Stresses of the free particle: what the loads leave over is balanced by its inertia. Uses the
-  /// last factorisation.
+  /// last factorisation. Throws InvalidInput for a load that is not on the boundary or not finite.
   void solve_free(std::span<const BoundaryLoad> loads, ElementStress& stress) {
     forces_.setZero(2 * node_count());
     add_loads(loads, forces_);
@@ -101,6 +104,8 @@ class AssembleAndSolve {
   std::array<Vec2, 2> solve_pinned(std::span<const BoundaryLoad> loads,
                                    const std::array<BoundaryPoint, 2>& pins,
                                    ElementStress& stress) const {
+    for (const BoundaryPoint& pin : pins)
+      require_boundary_load(pin, Vec2{0, 0}, mesh_.boundary_nodes);
     const double apart = (mesh_.position(pins[0]) - mesh_.position(pins[1])).norm();
     require_positive("AssembleAndSolve distance of the pins", apart);
     // Multipliers in units of a stiffness, so that all entries of the matrix are of one size.
@@ -204,6 +209,7 @@ class AssembleAndSolve {
 
   void add_loads(std::span<const BoundaryLoad> loads, Eigen::VectorXd& forces) const {
     for (const BoundaryLoad& load : loads) {
+      require_boundary_load(load.at, load.force, mesh_.boundary_nodes);
       forces.segment<2>(2 * Eigen::Index{load.at.node}) += load.at.weight * load.force;
       forces.segment<2>(2 * Eigen::Index{load.at.next}) += (1 - load.at.weight) * load.force;
     }

@@ -2,6 +2,7 @@
 /// @file
 /// A contact force on the boundary of a particle's mesh.
 
+#include <riprap/core/errors.hpp>
 #include <riprap/stress/mesh/mesh.hpp>
 
 namespace riprap {
@@ -12,5 +13,28 @@ struct BoundaryLoad {
   Vec2 force{0, 0};         ///< on the particle [N]
   double normal_force = 0;  ///< of the contact [N]; supports choose by it
 };
+
+namespace internal {
+
+[[noreturn, gnu::cold, gnu::noinline]] inline void
+throw_invalid_load(const BoundaryPoint& at, const Vec2& force, std::uint32_t boundary_nodes) {
+  for (const std::uint32_t node : {at.node, at.next})
+    require(node < boundary_nodes, "BoundaryPoint: node", node, "must be a boundary node");
+  require(at.weight >= 0 && at.weight <= 1, "BoundaryPoint.weight", at.weight,
+          "must lie in [0, 1]");
+  throw InvalidInput("force of a boundary load (" + to_text(force.x()) + ", " + to_text(force.y()) +
+                     ") N: must be finite");
+}
+
+}  // namespace internal
+
+/// Throws InvalidInput unless the point lies on a boundary of so many nodes and the force is
+/// finite.
+inline void require_boundary_load(const BoundaryPoint& at, const Vec2& force,
+                                  std::uint32_t boundary_nodes) {
+  if (!(at.node < boundary_nodes && at.next < boundary_nodes && at.weight >= 0 && at.weight <= 1 &&
+        std::isfinite(force.x() + force.y())))
+    internal::throw_invalid_load(at, force, boundary_nodes);
+}
 
 }  // namespace riprap

@@ -56,13 +56,15 @@ class CompactOperator {
   [[nodiscard]] std::size_t elements() const { return static_cast<std::size_t>(elements_); }
   [[nodiscard]] const Outline& outline() const { return outline_; }
 
-  /// Stresses under `scale` times the loads.
+  /// Stresses under `scale` times the loads. Throws InvalidInput for a load that is not on the
+  /// boundary or not finite.
   void find_stress(std::span<const BoundaryLoad> loads, double scale, CompactStress& out) const {
     out.elements = elements_;
     out.stride = stride_;
     out.values.setZero(3 * stride_);
     double terms = 0;
     for (const BoundaryLoad& load : loads) {
+      require_boundary_load(load.at, load.force, outline_.nodes());
       const Vec2 near = scale * load.at.weight * load.force;
       const Vec2 far = scale * (1 - load.at.weight) * load.force;
       const auto j = static_cast<Eigen::Index>(load.at.node);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include <riprap/core/errors.hpp>
 #include <riprap/material/rock.hpp>
 #include <riprap/stress/boundary_load.hpp>
 #include <riprap/stress/element/concepts.hpp>
@@ -29,10 +30,15 @@ class InfluenceOperator {
   /// @param mesh      in the body's own frame, centroid at the origin
   /// @param thickness out of plane [m]
   /// @param with_flexibility also keep the displacements of the boundary (for pinned supports)
+  /// Throws InvalidInput for a mesh, a rock or a thickness that breaks a rule, and for an element
+  /// or a plane state whose matrices are not finite.
   template <Element E, PlaneState P>
   InfluenceOperator(Mesh mesh, const E& element, const P& plane, const Rock& rock, double thickness,
                     bool with_flexibility)
       : mesh_(std::move(mesh)) {
+    mesh_.validate();
+    rock.validate();
+    require_positive("InfluenceOperator: thickness", thickness);
     const Eigen::Matrix3d elasticity = plane.elasticity(rock);
     const Eigen::MatrixXd displacement = solve(element, elasticity, thickness);
     const auto elements = static_cast<Eigen::Index>(mesh_.size());
@@ -49,6 +55,8 @@ class InfluenceOperator {
       for (int c = 0; c < 3; ++c)
         stress_.row(c * elements + static_cast<Eigen::Index>(e)) = rows.row(c);
     }
+    require(std::isfinite(stress_.sum()), "InfluenceOperator: sum of the stresses of unit loads",
+            stress_.sum(), "must be finite (element, plane state)");
     if (with_flexibility) flexibility_ = displacement.topRows(displacement.cols());
   }
 
@@ -58,8 +66,10 @@ class InfluenceOperator {
   /// s22, then the s12.
   [[nodiscard]] const Eigen::MatrixXd& columns() const { return stress_; }
 
-  /// Adds the stresses due to a force [N] at a boundary point.
+  /// Adds the stresses due to a force [N] at a boundary point. Throws InvalidInput for a point that
+  /// is not on the boundary and a force that is not finite.
   void add_stress(const BoundaryPoint& at, const Vec2& force, ElementStress& stress) const {
+    require_boundary_load(at, force, mesh_.boundary_nodes);
     const double w = at.weight;
     stress.values().noalias() += (w * force.x()) * stress_.col(column(at.node)) +
                                  (w * force.y()) * stress_.col(column(at.node) + 1) +

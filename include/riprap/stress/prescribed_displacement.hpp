@@ -55,12 +55,15 @@ class PrescribedDisplacement {
   /// @param mesh      anywhere in the plane
   /// @param thickness out of plane [m]
   /// @param held      the prescribed components, each named once, in the order of the values
-  /// Throws InvalidInput for a component that the mesh does not have, and SimulationError where
+  /// Throws InvalidInput for a mesh, a rock or a thickness that breaks a rule and for a component
+  /// that the mesh does not have, and SimulationError where
   /// the held components leave the body free to move.
   PrescribedDisplacement(Mesh mesh, const E& element, const P& plane, const Rock& rock,
                          double thickness, std::vector<NodeComponent> held)
       : mesh_(std::move(mesh)), element_(element), elasticity_(plane.elasticity(rock)),
         thickness_(thickness), held_(std::move(held)) {
+    mesh_.validate();
+    rock.validate();
     require_positive("PrescribedDisplacement.thickness", thickness);
     number_unknowns();
     assemble();
@@ -76,6 +79,7 @@ class PrescribedDisplacement {
   [[nodiscard]] Deformation solve(std::span<const double> values) const {
     require(values.size() == held_.size(), "PrescribedDisplacement: count of values",
             static_cast<double>(values.size()), "must be one for each held component");
+    for (const double value : values) require_finite("PrescribedDisplacement: value [m]", value);
     Deformation d;
     d.displacements.setZero(size());
     for (std::size_t i = 0; i < held_.size(); ++i) d.displacements[place(held_[i])] = values[i];

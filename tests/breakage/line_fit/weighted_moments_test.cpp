@@ -1,7 +1,15 @@
 #include <riprap/breakage/line_fit/weighted_moments.hpp>
 
+#include <cmath>
 #include <doctest/doctest.h>
+#include <limits>
+#include <string>
 
+#include <riprap/breakage/line_fit/failure_plane_through_centroid.hpp>
+#include <riprap/breakage/line_fit/total_least_squares.hpp>
+#include <riprap/breakage/line_fit/weighted_xy.hpp>
+#include <riprap/core/random.hpp>
+#include <support/message_of.hpp>
 #include <support/near.hpp>
 #include <support/point_clouds.hpp>
 
@@ -45,4 +53,58 @@ TEST_CASE("points on a vertical or horizontal line spread in one direction only"
   const WeightedMoments none = spread({});
   CHECK_FALSE(none.spreads_in_x());
   CHECK_FALSE(none.spreads_in_y());
+}
+
+TEST_CASE("points and weights that are no cloud are refused by name") {
+  constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto refuse = [](std::vector<WeightedPoint> points, const char* rule) {
+    const FailurePlanes planes{.count = 1};
+    const auto text = [&](const auto& fit) {
+      return test::message_of([&] { (void)fit(points, planes); });
+    };
+    for (const std::string& said : {text(WeightedX{}), text(WeightedY{}), text(WeightedXY{}),
+                                    text(TotalLeastSquares{}), text(FailurePlaneThroughCentroid{})})
+      CHECK(said == rule);
+  };
+  const Vec2 here{1, 2};
+  refuse({{here, 1}, {here, -1}},
+         "line fit: weight of a point = -1: must be a finite number, 0 or above");
+  refuse({{here, nan_value}, {here, 1}},
+         "line fit: weight of a point = nan: must be a finite number, 0 or above");
+  refuse({{here, infinity}},
+         "line fit: weight of a point = inf: must be a finite number, 0 or above");
+  refuse({{here, 0}, {{3, 4}, 0}},
+         "line fit: sum of the weights = 0: must be a finite number above 0");
+  refuse({{here, 1}, {{nan_value, 0}, 1}}, "line fit: position of a point = nan: must be finite");
+  refuse({{here, 1e300}, {{1e10, 0}, 1e300}},
+         "line fit: second moment of the points = inf: must be a finite number");
+}
+
+TEST_CASE("clouds that determine no line give none, and no line has a part that is not a number") {
+  Random random(5);
+  int lines = 0;
+  for (int trial = 0; trial < 20'000; ++trial) {
+    std::vector<WeightedPoint> points;
+    const unsigned count = random.uniform_integer(1, 4);
+    for (unsigned i = 0; i < count; ++i) {
+      const double scale = std::pow(10, random.uniform(-160, 20));
+      const double weight = random.uniform(0, 1) < 0.2 ? 0 : std::pow(10, random.uniform(-300, 3));
+      points.push_back({{scale * random.uniform(-1, 1), scale * random.uniform(-1, 1)}, weight});
+    }
+    points.push_back({{0, 0}, 1e-300});
+    const FailurePlanes planes{.directions = {Vec2{0.6, 0.8}, Vec2{0.8, -0.6}}, .count = 2};
+    const auto check = [&](const std::optional<Line>& line) {
+      if (!line) return;
+      ++lines;
+      REQUIRE(is_finite(line->point));
+      REQUIRE(std::abs(line->direction.norm() - 1) <= 1e-12);
+    };
+    check(WeightedX{}(points, planes));
+    check(WeightedY{}(points, planes));
+    check(WeightedXY{}(points, planes));
+    check(TotalLeastSquares{}(points, planes));
+    check(FailurePlaneThroughCentroid{}(points, planes));
+  }
+  CHECK(lines > 20'000);
 }

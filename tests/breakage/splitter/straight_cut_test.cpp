@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include <riprap/geometry/random_polygon.hpp>
@@ -130,4 +131,40 @@ TEST_CASE("rules of the sliver rule") {
                        InvalidInput);
   CHECK_THROWS_WITH_AS(StraightCut{.maximum_aspect = 0.5}.validate(),
                        "StraightCut.maximum_aspect = 0.5: must be 1 or more", InvalidInput);
+}
+
+TEST_CASE("pieces are polygons that add up to the whole, or the cut is refused") {
+  const std::vector<Vec2> bevelled{{0, 0}, {1, 0}, {1, .9987}, {.9987, 1}, {0, 1}};
+  const auto parts = StraightCut{}(bevelled, Line{{0, 0}, Vec2{1, 1}.normalized()}, 1);
+  REQUIRE(parts);
+  CHECK(polygon_area(parts->left) + polygon_area(parts->right) ==
+        near_relative(polygon_area(bevelled), 1e-15));
+
+  Random random(13);
+  int cuts = 0;
+  int faults = 0;
+  constexpr StraightCut unlimited{.minimum_area = 0, .maximum_aspect = 1e9};
+  for (int sample = 0; sample < 20'000; ++sample) {
+    const ConvexPolygon polygon = random_polygon({.most_vertices = 64}, 1, random);
+    const Rotation turn = Rotation::from_angle(random.uniform(0, 7));
+    const Vec2 through = random.uniform(0.9, 1) * polygon[0];  // near a corner
+    const auto pieces = unlimited(polygon.ring(), Line{through, turn * Vec2{1, 0}}, 1);
+    if (!pieces) continue;
+    ++cuts;
+    faults += !try_convex_polygon(pieces->left) || !try_convex_polygon(pieces->right);
+  }
+  CHECK(cuts > 10'000);
+  CHECK(faults == 0);
+}
+
+TEST_CASE("a cut that would leave a piece of 65 vertices is refused") {
+  std::vector<Vec2> ring;
+  for (int i = 0; i < 64; ++i) {
+    const Rotation at = Rotation::from_angle(2 * std::numbers::pi * i / 64);
+    ring.push_back({at.cosine, at.sine});
+  }
+  // Across both edges of vertex 0: a triangle on one side, 65 vertices on the other.
+  CHECK_FALSE(permissive(ring, upright(0.998), 1));
+  ring.pop_back();
+  CHECK(permissive(ring, upright(0.998), 1));
 }

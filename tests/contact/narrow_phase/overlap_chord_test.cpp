@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <numbers>
@@ -6,6 +7,7 @@
 #include <vector>
 
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
+#include <riprap/contact/narrow_phase/separating_axis.hpp>
 #include <riprap/core/random.hpp>
 #include <riprap/geometry/random_polygon.hpp>
 #include <support/near.hpp>
@@ -345,4 +347,50 @@ TEST_CASE("depth, point and normal of a sliding corner change no faster than the
     CHECK(jumps.point <= 4 * step);
     CHECK(jumps.normal_times_chord <= 4 * step);
   }
+}
+
+TEST_CASE_TEMPLATE("swapping the rings of a nearly degenerate pair changes nothing", Narrow,
+                   OverlapChord, SeparatingAxis) {
+  // An edge of one lies on an edge of the other, corner on corner or anywhere, but for small shifts
+  // and turns.
+  Random random(7);
+  const auto small = [&] {
+    if (random.uniform(0, 1) < 0.4) return 0.0;
+    return random.uniform(-1, 1) * std::pow(10, random.uniform(-17, -3));
+  };
+  int contacts = 0;
+  int different = 0;
+  for (int trial = 0; trial < 50'000; ++trial) {
+    const ConvexPolygon a = random.uniform(0, 1) < 0.5
+                                ? rectangle({0, 0}, 1, 1)
+                                : random_polygon({.most_vertices = 7}, 1, random);
+    const double side = random.uniform(0.3, 3);
+    const ConvexPolygon other = random.uniform(0, 1) < 0.5 ? rectangle({0, 0}, side, side) : a;
+    const std::size_t i = random.uniform_integer(0, static_cast<unsigned>(a.size()) - 1);
+    const std::size_t j = random.uniform_integer(0, static_cast<unsigned>(other.size()) - 1);
+    const Vec2 edge = a[(i + 1) % a.size()] - a[i];
+    const Vec2 other_edge = other[(j + 1) % other.size()] - other[j];
+    const double turn = std::atan2(-edge.y(), -edge.x()) -
+                        std::atan2(other_edge.y(), other_edge.x()) +
+                        (random.uniform(0, 1) < 0.3 ? random.uniform(-0.5, 0.5) : small());
+    const ConvexPolygon turned = other.moved(Rotation::from_angle(turn), {0, 0});
+    const std::array places{0.0, 1.0, 0.5, random.uniform(-0.2, 1.2)};
+    const double depth = random.uniform(0, 1) < 0.3 ? random.uniform(0, 0.05) : small();
+    const Vec2 target = a[i] + (places[random.uniform_integer(0, 3)] + small()) * edge +
+                        depth / edge.norm() * perpendicular(edge);
+    const ConvexPolygon b = turned.moved({}, target - turned[j]);
+    const auto contact = test::contact_of<Narrow>(a, b);
+    const auto swapped = test::contact_of<Narrow>(b, a);
+    contacts += contact.has_value();
+    if (contact.has_value() != swapped.has_value()) ++different;
+    if (!contact || !swapped) continue;
+    // Round-off of coordinates of size 1, over the chord for directions.
+    different += !((contact->normal + swapped->normal).norm() * contact->chord <= 1e-12 &&
+                   (contact->point - swapped->point).norm() <= 1e-12 &&
+                   std::abs(contact->depth - swapped->depth) <= 1e-12 &&
+                   std::abs(contact->area - swapped->area) <= 1e-12 &&
+                   std::abs(contact->chord - swapped->chord) <= 1e-12);
+  }
+  CHECK(contacts > 20'000);
+  CHECK(different == 0);
 }

@@ -1,8 +1,18 @@
 #include <riprap/stress/mesh/mesh.hpp>
 
+#include <array>
+#include <cmath>
 #include <doctest/doctest.h>
+#include <limits>
+#include <utility>
 
+#include <riprap/stress/assemble_and_solve.hpp>
+#include <riprap/stress/element/constant_strain_triangle.hpp>
+#include <riprap/stress/mesh/fan_mesher.hpp>
+#include <riprap/stress/plane_state/plane_stress.hpp>
+#include <riprap/stress/prescribed_displacement.hpp>
 #include <support/loaded_particle.hpp>
+#include <support/message_of.hpp>
 #include <support/near.hpp>
 #include <support/polygons.hpp>
 
@@ -101,4 +111,69 @@ TEST_CASE("no place on the boundary is nearer than the nearest one, from inside 
       CHECK(std::abs((mesh.position(found) - x).norm() - distance_to_boundary(mesh, x)) <= 1e-16);
     }
   }
+}
+
+TEST_CASE("a mesh that breaks a rule is refused by every kernel that takes one") {
+  const Mesh sound = FanMesher{2}(test::regular_polygon(5, 0.01).ring());
+  const std::array<std::pair<const char*, void (*)(Mesh&)>, 9> faults{{
+      {"Mesh: triangle 3: area [m^2]",
+       [](Mesh& m) { std::swap(m.triangles[3][0], m.triangles[3][1]); }},
+      {"Mesh: triangle 2: area [m^2] = 0", [](Mesh& m) { m.triangles[2][1] = m.triangles[2][0]; }},
+      {"Mesh: triangle 1: node = 9999: must be in the mesh",
+       [](Mesh& m) { m.triangles[1][2] = 9999; }},
+      {"Mesh: number of triangles = 0", [](Mesh& m) { m.triangles.clear(); }},
+      {"Mesh.boundary_nodes = 400", [](Mesh& m) { m.boundary_nodes = 400; }},
+      {"Mesh: corner 1 = 400: must be a boundary node", [](Mesh& m) { m.corners[1] = 400; }},
+      {"Mesh: corner 2", [](Mesh& m) { m.corners[2] = m.corners[1]; }},
+      {"Mesh: node 4 = nan: must be finite", [](Mesh& m) { m.nodes[4].x() = std::nan(""); }},
+      {"Mesh: node 11: must be part of a triangle",
+       [](Mesh& m) {
+         m.nodes.push_back({0, 0});
+       }},
+  }};
+  CHECK_NOTHROW(sound.validate());
+  for (const auto& [rule, damage] : faults) {
+    CAPTURE(rule);
+    Mesh mesh = sound;
+    damage(mesh);
+    const ConstantStrainTriangle element;
+    const PlaneStress plane;
+    CHECK(test::contains(test::message_of([&] { mesh.validate(); }), rule));
+    CHECK(test::contains(
+        test::message_of([&] { InfluenceOperator(mesh, element, plane, Rock{}, 0.01, false); }),
+        rule));
+    CHECK(test::contains(test::message_of([&] {
+                           AssembleAndSolve(mesh, element, plane, Rock{}, 0.01, {0, 1});
+                         }),
+                         rule));
+    CHECK(test::contains(test::message_of([&] {
+                           PrescribedDisplacement(mesh, element, plane, Rock{}, 0.01, {{0, 0}});
+                         }),
+                         rule));
+  }
+}
+
+TEST_CASE("rock and thickness that break a rule are refused by every kernel that takes them") {
+  const Mesh mesh = FanMesher{2}(test::regular_polygon(5, 0.01).ring());
+  const ConstantStrainTriangle element;
+  const PlaneStress plane;
+  const auto refuse = [&](const Rock& rock, double thickness, const char* rule) {
+    CAPTURE(rule);
+    CHECK(test::contains(
+        test::message_of([&] { InfluenceOperator(mesh, element, plane, rock, thickness, false); }),
+        rule));
+    CHECK(test::contains(test::message_of([&] {
+                           AssembleAndSolve(mesh, element, plane, rock, thickness, {0, 1});
+                         }),
+                         rule));
+    CHECK(test::contains(test::message_of([&] {
+                           PrescribedDisplacement(mesh, element, plane, rock, thickness, {{0, 0}});
+                         }),
+                         rule));
+  };
+  refuse({.young = -1}, 0.01, "Rock.young = -1");
+  refuse({.poisson = 0.5}, 0.01, "Rock.poisson = 0.5");
+  refuse({.density = std::nan("")}, 0.01, "Rock.density = nan");
+  refuse({}, 0, "thickness = 0");
+  refuse({}, std::numeric_limits<double>::infinity(), "thickness = inf");
 }

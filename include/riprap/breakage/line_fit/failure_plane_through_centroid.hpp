@@ -17,8 +17,11 @@ struct FailurePlaneThroughCentroid {
       return m.xx * d.y() * d.y() - 2 * m.xy * d.x() * d.y() + m.yy * d.x() * d.x();
     };
     Vec2 best = planes.directions[0];
-    for (const Vec2& direction : planes.span())
+    for (const Vec2& direction : planes.span()) {
+      require(is_finite(direction), "line fit: direction of a failure plane",
+              direction.x() + direction.y(), "must be finite");
       if (misfit(direction) < misfit(best)) best = direction;
+    }
     return Line{m.mean, best};
   }
 };

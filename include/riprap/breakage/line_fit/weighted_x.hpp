@@ -12,7 +12,7 @@ struct WeightedX {
                                                const FailurePlanes& /*planes*/) const {
     const WeightedMoments m = weighted_moments(points);
     if (!m.spreads_in_y()) return std::nullopt;
-    return Line{m.mean, Vec2{m.xy, m.yy}.normalized()};
+    return Line{m.mean, internal::direction_of({m.xy, m.yy})};
   }
 };
 

@@ -12,7 +12,7 @@ struct WeightedY {
                                                const FailurePlanes& /*planes*/) const {
     const WeightedMoments m = weighted_moments(points);
     if (!m.spreads_in_x()) return std::nullopt;
-    return Line{m.mean, Vec2{m.xx, m.xy}.normalized()};
+    return Line{m.mean, internal::direction_of({m.xx, m.xy})};
   }
 };
 

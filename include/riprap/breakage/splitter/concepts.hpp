@@ -3,6 +3,7 @@
 /// The role of the splitter: from a ring and a line to two rings, or a refusal.
 
 #include <concepts>
+#include <cstddef>
 #include <optional>
 
 #include <riprap/core/policy.hpp>
@@ -12,27 +13,38 @@ namespace riprap {
 
 namespace clauses {
 
-/// `splitter(ring, line, mean_area)` -> the two rings, whose areas add up to the whole, or nothing:
-/// a refusal is remembered until the particle's contact partners change. `mean_area` [m^2] is that
-/// of the intact particles, by which a piece is too small or not. Const, for one splitter serves
-/// all particles.
+/// `splitter(ring, line, mean_area)` -> the two rings, whose areas add up to the whole, or nothing.
+/// A piece that breaks a rule of ConvexPolygon (more than 64 vertices, not convex) counts as a
+/// refusal; areas that do not add up end the run. A refusal is remembered until the particle's
+/// contact partners change. `mean_area` [m^2] is that of the intact particles, by which a piece is
+/// too small or not. Const, for one splitter serves all particles.
 template <class S>
 concept SplitterCall =
     requires(const S& splitter, const Ring ring, const Line& line, const double mean_area) {
       { splitter(ring, line, mean_area) } -> std::convertible_to<std::optional<CutRings>>;
     };
 
+/// Optional: `splitter.maximum_pieces` that one intact particle may break into; the next break ends
+/// the run with a SimulationError.
+template <class S>
+concept SplitterMaximumPieces =
+    !requires(const S& splitter) { splitter.maximum_pieces; } || requires(const S& splitter) {
+      { splitter.maximum_pieces } -> std::convertible_to<std::size_t>;
+    };
+
 }  // namespace clauses
 
 /// A `Splitter` cuts a particle in two or refuses.
 template <class S>
-concept Splitter = Policy<S> && clauses::SplitterCall<S>;
+concept Splitter = Policy<S> && clauses::SplitterCall<S> && clauses::SplitterMaximumPieces<S>;
 
 template <class S>
 consteval bool check_splitter() {
   check_policy<S>();
   static_assert(clauses::SplitterCall<S>, "riprap: a Splitter must have std::optional<CutRings> "
                                           "operator()(Ring, const Line&, double mean_area) const");
+  static_assert(clauses::SplitterMaximumPieces<S>,
+                "riprap: maximum_pieces of a Splitter must be a std::size_t");
   return Splitter<S>;
 }
 

@@ -2,6 +2,7 @@
 /// @file
 /// What two overlapping rings have in common.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -17,12 +18,10 @@ namespace riprap {
 
 /// What two rings have in common, in coordinates relative to the first vertex of the first.
 struct CommonPart {
-  /// Lengths below this share of a particle's size carry no information.
-  static constexpr double negligible = 1e-10;
-
   OverlapPolygon polygon;
-  double area = 0;  ///< [m^2]
-  double size = 0;  ///< of the first ring, to a factor of two or so [m]
+  double area = 0;       ///< [m^2]
+  double size = 0;       ///< of the smaller ring, to a factor of two or so [m]
+  double tolerance = 0;  ///< lengths below carry no information: round-off of coordinates [m]
 
   [[nodiscard]] bool empty() const { return polygon.size == 0; }
 
@@ -65,17 +64,32 @@ struct CommonPart {
   }
 };
 
-/// Empty where the rings have no area worth the name in common.
+namespace internal {
+
+/// An order of two rings that does not depend on which of them is called the first one: degenerate
+/// overlaps are the same for a and b as for b and a.
+[[nodiscard]] inline bool comes_first(Ring a, Ring b) {
+  return std::ranges::lexicographical_compare(a, b, [](const Vec2& p, const Vec2& q) {
+    return std::pair(p.x(), p.y()) < std::pair(q.x(), q.y());
+  });
+}
+
+}  // namespace internal
+
+/// Empty where the rings have no area above round-off in common. Size and tolerance do not depend
+/// on the order of the rings.
 [[nodiscard]] inline CommonPart common_part(Ring a, Ring b) {
-  const Vec2 across = a[a.size() / 2] - a[0];
-  const double size = std::sqrt(across.dot(across));
-  constexpr double negligible = CommonPart::negligible;
+  const auto squared_size = [](Ring ring) {
+    return (ring[ring.size() / 2] - ring[0]).squaredNorm();
+  };
+  const double farthest = std::max(a[0].lpNorm<Eigen::Infinity>(), b[0].lpNorm<Eigen::Infinity>());
   CommonPart part;
-  part.size = size;
-  part.polygon = overlap(a, b, a[0], negligible * size);
+  part.size = std::sqrt(std::min(squared_size(a), squared_size(b)));
+  part.tolerance = 1e-13 * part.size + 4e-16 * farthest;
+  part.polygon = overlap(a, b, a[0], part.tolerance);
   part.area = polygon_area(part.polygon.ring());
   // A corner's overlap shrinks with the square of its depth, so this is a squared length.
-  if (part.area <= negligible * size * negligible * size) part.polygon.size = 0;
+  if (part.area <= part.tolerance * part.tolerance) part.polygon.size = 0;
   return part;
 }
 

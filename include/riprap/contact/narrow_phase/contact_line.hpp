@@ -25,7 +25,7 @@ namespace internal {
 /// @param part common to a and b
 [[nodiscard]] inline ContactGeometry contact_line(Ring a, Ring b, const CommonPart& part) {
   const OverlapPolygon& common = part.polygon;
-  const double tolerance = 10 * CommonPart::negligible * part.size;
+  const double tolerance = 10 * part.tolerance;
   ContactGeometry contact;
   Vec2 enters_a;  // where the overlap's boundary changes from b's edges to a's
   Vec2 leaves_a;

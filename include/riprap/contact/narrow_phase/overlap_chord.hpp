@@ -136,8 +136,20 @@ struct OverlapChord {
                            .chord = chord};
   }
 
-  // The long way, which finds where the two have each other.
+  // General case: clips the rings, in an order of their own, and classifies the overlap for the
+  // next call.
   [[nodiscard]] static std::optional<ContactGeometry> by_clipping(Ring a, Ring b, Memory& memory) {
+    if (!internal::comes_first(b, a)) return by_clipping_in_order(a, b, memory);
+    std::optional<ContactGeometry> contact = by_clipping_in_order(b, a, memory);
+    memory.separating.of_b = !memory.separating.of_b;
+    memory.of_b = !memory.of_b;
+    std::swap(memory.corner_a, memory.corner_b);
+    if (contact) contact->normal = -contact->normal;
+    return contact;
+  }
+
+  [[nodiscard]] static std::optional<ContactGeometry> by_clipping_in_order(Ring a, Ring b,
+                                                                           Memory& memory) {
     const CommonPart common = common_part(a, b);
     // Where rings barely meet, round-off must not decide between clipping and a separating edge.
     if (common.area <= 1e-9 * common.size * common.size) {

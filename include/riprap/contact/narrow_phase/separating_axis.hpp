@@ -2,7 +2,6 @@
 /// @file
 /// Contact by the least translation that parts two rings.
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -28,7 +27,7 @@ struct SeparatingAxis {
     if (separated(a, b, memory)) return std::nullopt;
     memory.gap = 0;
     // Of equal depths the first is taken: rings in an order of their own may be swapped.
-    const bool swapped = comes_first(b, a);
+    const bool swapped = internal::comes_first(b, a);
     if (swapped) std::swap(a, b);
     const CommonPart common = common_part(a, b);
     if (common.empty()) return std::nullopt;
@@ -41,13 +40,6 @@ struct SeparatingAxis {
 
   /// Of the last call that found an edge between the rings; else nothing is known [m].
   [[nodiscard]] double clearance(const Memory& memory) const { return memory.gap; }
-
- private:
-  [[nodiscard]] static bool comes_first(Ring a, Ring b) {
-    return std::ranges::lexicographical_compare(a, b, [](const Vec2& p, const Vec2& q) {
-      return std::pair(p.x(), p.y()) < std::pair(q.x(), q.y());
-    });
-  }
 };
 
 static_assert(NarrowPhase<SeparatingAxis>);

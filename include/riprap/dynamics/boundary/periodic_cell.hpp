@@ -33,7 +33,11 @@ class PeriodicRegion {
 class PeriodicCell {
  public:
   /// Shortening rates along axes 1 and 2 [1/s], positive in compression.
-  void set_rate(double axis_1, double axis_2) { plane_.rate = {axis_1, axis_2}; }
+  void set_rate(double axis_1, double axis_2) {
+    require_finite("PeriodicCell: rate along axis 1", axis_1);
+    require_finite("PeriodicCell: rate along axis 2", axis_2);
+    plane_.rate = {axis_1, axis_2};
+  }
   [[nodiscard]] const Vec2& rate() const { return plane_.rate; }
 
   /// Throws InvalidInput if the assembly is not periodic or has a boundary of its own.

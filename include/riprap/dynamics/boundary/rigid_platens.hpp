@@ -47,7 +47,11 @@ class PlatenRegion {
 class RigidPlatens {
  public:
   /// Shortening rates along axes 1 and 2 [1/s], positive in compression.
-  void set_rate(double axis_1, double axis_2) { rate_ = {axis_1, axis_2}; }
+  void set_rate(double axis_1, double axis_2) {
+    require_finite("RigidPlatens: rate along axis 1", axis_1);
+    require_finite("RigidPlatens: rate along axis 2", axis_2);
+    rate_ = {axis_1, axis_2};
+  }
   [[nodiscard]] const Vec2& rate() const { return rate_; }
 
   /// Throws InvalidInput unless there is one platen on each side.

@@ -17,7 +17,11 @@ namespace riprap {
 class StrainField {
  public:
   /// Shortening rates along axes 1 and 2 [1/s], positive in compression.
-  void set_rate(double axis_1, double axis_2) { rate_ = {axis_1, axis_2}; }
+  void set_rate(double axis_1, double axis_2) {
+    require_finite("StrainField: rate along axis 1", axis_1);
+    require_finite("StrainField: rate along axis 2", axis_2);
+    rate_ = {axis_1, axis_2};
+  }
   [[nodiscard]] const Vec2& rate() const { return rate_; }
 
   void drive(std::vector<Body>& bodies, double /*time_step*/) const {

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
+#include <riprap/core/errors.hpp>
 #include <riprap/core/vec2.hpp>
 
 namespace riprap {
@@ -27,6 +29,11 @@ struct Mesh {
   std::vector<std::uint32_t> corners;  ///< boundary node at each vertex of the polygon
 
   std::uint32_t boundary_nodes = 0;
+
+  /// Throws InvalidInput that names the node or triangle, and the rule: finite nodes, each part of
+  /// a triangle; counter-clockwise triangles of existing nodes that are not flat; boundary nodes
+  /// and corners that exist.
+  void validate() const;
 
   [[nodiscard]] std::size_t size() const { return triangles.size(); }
   [[nodiscard]] std::array<Vec2, 3> triangle(std::size_t e) const {
@@ -66,5 +73,37 @@ struct Mesh {
     return at.weight * nodes[at.node] + (1 - at.weight) * nodes[at.next];
   }
 };
+
+[[gnu::cold]] inline void Mesh::validate() const {
+  const auto name = [](const char* what, std::size_t number) {
+    return std::string("Mesh: ") + what + " " + std::to_string(number);
+  };
+  const auto count = [](std::size_t number) { return static_cast<double>(number); };
+  require(!triangles.empty(), "Mesh: number of triangles", 0, "must be 1 or more");
+  require(boundary_nodes <= nodes.size(), "Mesh.boundary_nodes", boundary_nodes,
+          "must not be above the number of nodes");
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    require(is_finite(nodes[i]), name("node", i), nodes[i].x() + nodes[i].y(), "must be finite");
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    require(corners[k] < boundary_nodes && (k == 0 || corners[k] > corners[k - 1]),
+            name("corner", k), corners[k], "must be a boundary node, in rising order");
+  std::vector<bool> used(nodes.size(), false);
+  for (std::size_t e = 0; e < triangles.size(); ++e) {
+    double squared = 0;  // longest edge
+    for (const std::uint32_t node : triangles[e])
+      require(node < nodes.size(), name("triangle", e) + ": node", count(node),
+              "must be in the mesh");
+    for (const std::uint32_t node : triangles[e]) {
+      used[node] = true;
+      squared = std::max(squared, (nodes[node] - nodes[triangles[e][0]]).squaredNorm());
+    }
+    require(area(e) > 1e-12 * squared, name("triangle", e) + ": area [m^2]", area(e),
+            "must be above 0 (counter-clockwise, not flat)");
+  }
+  const auto unused = std::find(used.begin(), used.end(), false);
+  if (unused != used.end())
+    throw InvalidInput(name("node", static_cast<std::size_t>(unused - used.begin())) +
+                       ": must be part of a triangle");
+}
 
 }  // namespace riprap
