@@ -17,7 +17,7 @@ struct OpenPlane {
   };
 };
 
-/// A rectangular cell about the origin that repeats itself along axes 1 and 2, and shrinks.
+/// A rectangular cell that repeats itself along axes 1 and 2, and shrinks.
 struct PeriodicPlane {
   static constexpr bool periodic = true;
 
@@ -34,6 +34,7 @@ struct PeriodicPlane {
 
   Vec2 period{0, 0};  ///< extents of the cell [m]
   Vec2 rate{0, 0};    ///< of shortening [1/s]
+  Vec2 centre{0, 0};  ///< of the cell, where it stays when it shrinks [m]
 
   /// From a body to its image [m].
   [[nodiscard]] Vec2 offset(const Image& image) const {
@@ -45,8 +46,8 @@ struct PeriodicPlane {
   }
   /// The copy of the cell that holds x.
   [[nodiscard]] Image cell_of(const Vec2& x) const {
-    return {static_cast<int>(std::lround(x.x() / period.x())),
-            static_cast<int>(std::lround(x.y() / period.y()))};
+    return {static_cast<int>(std::lround((x.x() - centre.x()) / period.x())),
+            static_cast<int>(std::lround((x.y() - centre.y()) / period.y()))};
   }
 };
 

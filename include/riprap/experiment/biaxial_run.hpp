@@ -151,9 +151,10 @@ class BiaxialRun {
       if constexpr (exchangeable) law = original;
     });
     if constexpr (exchangeable) law = frictionless(law);
+    const Vec2 centre = centre_of(region());
     for (BodyIndex i = 0; i < sim_.particles().size(); ++i)
       if (const Body& body = sim_.particles().body(i); body.is_free())
-        sim_.set_velocity(i, -rate * body.position);
+        sim_.set_velocity(i, -rate * (body.position - centre));
     set_rate({rate, rate});
     // A jammed sample of sharp polygons fills about 0.8 of its boundary polygon.
     const double solid = region().solid_area();

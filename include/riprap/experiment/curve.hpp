@@ -120,7 +120,8 @@ class Curve {
     p.porosity = porosity(region, contacts);
     p.stress = average_stress(contacts, view.area, particles.thickness());
     p.inner_stress = average_stress_within(
-        contacts, Ellipse{inner_share * Vec2(region.semi_axes())}, particles.thickness());
+        contacts, Ellipse{inner_share * Vec2(region.semi_axes()), centre_of(region)},
+        particles.thickness());
     p.coordination = coordination(contacts, particles);
     p.particles = particles.size();
     p.breakages = view.sim.breaks().size() - breakages_before_shear_;

@@ -96,6 +96,27 @@ namespace internal {
   return best;
 }
 
+/// The parts of a convex ring as `cut` has them, whatever round-off does to their areas.
+[[nodiscard]] inline std::optional<CutRings> divide(Ring ring, const Line& line, double snap) {
+  std::vector<double> distances;
+  for (const Vec2& v : ring) distances.push_back(line.left_distance(v));
+  const std::vector<signed char> sides = cut_sides(distances, snap);
+  if (sides.empty()) return std::nullopt;
+  const double negligible = 4e-13 * polygon_area(ring);
+  CutRings parts;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (sides[i] >= 0) parts.left.push_back(ring[i]);
+    if (sides[i] <= 0) parts.right.push_back(ring[i]);
+    const std::size_t next = (i + 1) % ring.size();
+    if (sides[i] * sides[next] >= 0) continue;
+    const double share = distances[i] / (distances[i] - distances[next]);
+    const Vec2 x = point_on_edge(ring[i], ring[next], share, negligible);
+    parts.left.push_back(x);
+    parts.right.push_back(x);
+  }
+  return parts;
+}
+
 }  // namespace internal
 
 /// Cuts a convex ring. Of the vertices within `relative_snap` diameters of either end of the cut
@@ -106,26 +127,12 @@ namespace internal {
 /// than a millionth of their length).
 [[nodiscard]] inline std::optional<CutRings> cut(Ring ring, const Line& line,
                                                  double relative_snap = 1e-6) {
-  std::vector<double> distances;
-  for (const Vec2& v : ring) distances.push_back(line.left_distance(v));
   const double size = diameter(ring);
-  const std::vector<signed char> sides = internal::cut_sides(distances, relative_snap * size);
-  if (sides.empty()) return std::nullopt;
+  std::optional<CutRings> parts = internal::divide(ring, line, relative_snap * size);
+  if (!parts) return std::nullopt;
   const long double area = internal::extended_area(ring);
-  CutRings parts;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (sides[i] >= 0) parts.left.push_back(ring[i]);
-    if (sides[i] <= 0) parts.right.push_back(ring[i]);
-    const std::size_t next = (i + 1) % ring.size();
-    if (sides[i] * sides[next] >= 0) continue;
-    const double share = distances[i] / (distances[i] - distances[next]);
-    const Vec2 x =
-        internal::point_on_edge(ring[i], ring[next], share, static_cast<double>(0.4e-12L * area));
-    parts.left.push_back(x);
-    parts.right.push_back(x);
-  }
   const long double miss =
-      internal::extended_area(parts.left) + internal::extended_area(parts.right) - area;
+      internal::extended_area(parts->left) + internal::extended_area(parts->right) - area;
   const long double round_off = 4 * std::numeric_limits<long double>::epsilon() * size * size;
   if (!(std::abs(miss) + round_off <= 1e-12L * area)) return std::nullopt;
   return parts;

@@ -37,16 +37,21 @@ template <class Contacts>
   return (1 / (area * thickness)) * sum;
 }
 
-/// Semi-axes of an ellipse about the origin, along axes 1 and 2 [m].
+/// An ellipse with its axes along axes 1 and 2.
 struct Ellipse {
-  Vec2 semi_axes{0, 0};
+  Vec2 semi_axes{0, 0};  ///< [m]
+  Vec2 centre{0, 0};     ///< [m]
+
   [[nodiscard]] double area() const { return std::numbers::pi * semi_axes.x() * semi_axes.y(); }
 
   /// Share of the segment from p to q that lies inside [-].
   [[nodiscard]] double share_inside(const Vec2& p, const Vec2& q) const {
     // In units of the semi-axes: |p + s (q - p)|^2 = 1.
-    const Vec2 u = {p.x() / semi_axes.x(), p.y() / semi_axes.y()};
-    const Vec2 d = Vec2{q.x() / semi_axes.x(), q.y() / semi_axes.y()} - u;
+    const auto scaled = [this](const Vec2& x) -> Vec2 {
+      return {(x.x() - centre.x()) / semi_axes.x(), (x.y() - centre.y()) / semi_axes.y()};
+    };
+    const Vec2 u = scaled(p);
+    const Vec2 d = scaled(q) - u;
     const double a = d.dot(d);
     const double b = u.dot(d);
     const double discriminant = b * b - a * (u.dot(u) - 1);

@@ -23,11 +23,22 @@ struct PlacedParticle {
 struct Assembly {
   double thickness = 0.016;  ///< [m]
   std::vector<PlacedParticle> particles;
-  Vec2 period{0, 0};  ///< extents of a periodic cell about the origin [m]; zero: an open plane
+  Vec2 period{0, 0};  ///< extents of a periodic cell [m]; zero: an open plane
+  Vec2 centre{0, 0};  ///< of the periodic cell [m]
+
+  /// The same particles, and cell, elsewhere.
+  [[nodiscard]] Assembly moved(const Vec2& shift) const {
+    Assembly other = *this;
+    for (PlacedParticle& p : other.particles) p.polygon = p.polygon.moved({}, shift);
+    other.centre += shift;
+    return other;
+  }
 
   /// Throws InvalidInput that names the particle, the value and the rule.
   void validate() const {
     require_positive("Assembly.thickness", thickness);
+    require(is_finite(period) && is_finite(centre), "Assembly.period + Assembly.centre",
+            period.x() + period.y() + centre.x() + centre.y(), "must be finite");
     for (std::size_t i = 0; i < particles.size(); ++i) {
       const PlacedParticle& p = particles[i];
       if (!is_finite(p.velocity) || !std::isfinite(p.angular_velocity))

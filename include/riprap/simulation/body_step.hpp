@@ -112,7 +112,7 @@ class BodyStep {
   [[nodiscard]] decltype(auto) seen_by_damping(const Body& body) const {
     if constexpr (Plane::periodic) {
       Body seen = body;
-      seen.velocity += plane_.rate.cwiseProduct(body.position);
+      seen.velocity += componentwise_product(plane_.rate, body.position - plane_.centre);
       return seen;
     } else {
       return (body);

@@ -171,3 +171,25 @@ TEST_CASE("in a notch of the boundary a particle is lost") {
   particles.add(square({1.6, 0.7}, 0.05), Motion::free);  // beside it
   CHECK(BoundaryPolygon(particles).lost() == 1);
 }
+
+TEST_CASE("the centre of a ring is that of its circle, exactly the origin for one about it") {
+  const auto ring = [](const Vec2& centre, double radius) {
+    Particles particles(1, 1);
+    // Unevenly spaced: the mean of the centroids is not the centre.
+    for (const double theta : {0.0, 0.3, 0.7, 1.0, 2.0, 3.1, 4.5, 5.0, 5.1})
+      particles.add(regular(3, centre + radius * Vec2{std::cos(theta), std::sin(theta)}, 0.001),
+                    Motion::strain_field);
+    return particles;
+  };
+  for (const double radius : {0.092, 3.0}) {
+    const Particles here = ring({0, 0}, radius);
+    CHECK(ring_centre(here) == Vec2{0, 0});
+    const Vec2 axes = BoundaryPolygon(here).semi_axes();
+    for (const Vec2& centre : {Vec2{0.06, 0}, Vec2{-0.1, 7}, Vec2{1000, 1000}}) {
+      const Particles moved = ring(centre, radius);
+      CHECK((ring_centre(moved) - centre).norm() <= 1e-11 * radius + 1e-12 * centre.norm());
+      CHECK((BoundaryPolygon(moved).semi_axes() - axes).norm() <= 1e-11 * (1 + centre.norm()));
+      CHECK(BoundaryPolygon(moved).members() == BoundaryPolygon(here).members());
+    }
+  }
+}

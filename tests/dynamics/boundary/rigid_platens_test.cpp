@@ -85,7 +85,7 @@ TEST_CASE("a side without a platen is an error") {
   RigidPlatens platens;
   CHECK_THROWS_WITH_AS(platens.enclose(three, placed(three)),
                        "RigidPlatens needs four bodies of Motion::platen, one on each side of the "
-                       "origin; the assembly has 3",
+                       "middle between them; the assembly has 3",
                        InvalidInput);
   Assembly twice = uneven;
   twice.particles[2].polygon = box({-9, 5}, {9, 6});

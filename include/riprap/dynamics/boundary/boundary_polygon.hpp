@@ -9,6 +9,7 @@
 
 #include <riprap/core/errors.hpp>
 #include <riprap/core/order.hpp>
+#include <riprap/core/stress2.hpp>
 #include <riprap/dynamics/boundary/concepts.hpp>
 #include <riprap/geometry/cut.hpp>
 #include <riprap/geometry/overlap.hpp>
@@ -17,19 +18,57 @@
 
 namespace riprap {
 
+/// Middle of the ring of boundary particles [m]: of the circle that fits the centroids of the
+/// bodies of Motion::strain_field best, by least squares of the squared distances (Kasa 1976).
+/// Rounded to 2e-12 of the radius, so that a ring about the origin has exactly the origin as its
+/// centre.
+[[nodiscard]] inline Vec2 ring_centre(const Particles& particles) {
+  Vec2 mean{0, 0};
+  double count = 0;
+  const auto for_each_member = [&particles](auto&& visit) {
+    for (const Body& body : particles.bodies())
+      if (body.motion == Motion::strain_field) visit(body.position);
+  };
+  for_each_member([&](const Vec2& x) {
+    mean += x;
+    count += 1;
+  });
+  if (count == 0) return mean;
+  mean = mean / count;
+  Stress2 spread;  // second moments
+  Vec2 lean{0, 0};
+  for_each_member([&](const Vec2& x) {
+    const Vec2 d = x - mean;
+    spread += symmetric_product(d, d);
+    lean += 0.5 * d.dot(d) * d;
+  });
+  const double determinant = spread.s11 * spread.s22 - spread.s12 * spread.s12;
+  if (!(determinant > 0)) return mean;
+  const Vec2 centre = mean + Vec2{spread.s22 * lean.x() - spread.s12 * lean.y(),
+                                  spread.s11 * lean.y() - spread.s12 * lean.x()} /
+                                 determinant;
+  const double radius = std::sqrt((spread.s11 + spread.s22) / count);
+  const double grid = std::ldexp(1, std::ilogb(radius) - 39);
+  return {grid * std::round(centre.x() / grid) + 0.0, grid * std::round(centre.y() / grid) + 0.0};
+}
+
 /// The polygon through the centroids of the bodies of Motion::strain_field, in order of their
-/// direction from the origin. It need not be convex. Reads the particles whenever it is asked.
+/// direction from the centre. It need not be convex. Reads the particles whenever it is asked.
 class BoundaryPolygon {
  public:
   /// Throws InvalidInput for fewer than three.
-  explicit BoundaryPolygon(const Particles& particles) : particles_(particles) {
+  explicit BoundaryPolygon(const Particles& particles)
+      : BoundaryPolygon(particles, ring_centre(particles)) {}
+  /// @param centre about which the ring is strained [m]
+  BoundaryPolygon(const Particles& particles, const Vec2& centre)
+      : particles_(particles), centre_(centre) {
     std::vector<BodyIndex> found;
     std::vector<double> directions;
     for (BodyIndex i = 0; i < particles.size(); ++i) {
       if (particles.body(i).motion != Motion::strain_field) continue;
       found.push_back(i);
-      directions.push_back(
-          std::atan2(particles.body(i).position.y(), particles.body(i).position.x()));
+      const Vec2 from_centre = particles.body(i).position - centre;
+      directions.push_back(std::atan2(from_centre.y(), from_centre.x()));
     }
     if (found.size() < 3)
       throw InvalidInput("a sample needs at least 3 boundary particles of Motion::strain_field; "
@@ -50,11 +89,13 @@ class BoundaryPolygon {
   /// Area of the assembly [m^2].
   [[nodiscard]] double area() const { return area_properties(vertices()).area; }
 
-  /// Half the extents along axes 1 and 2 [m].
+  [[nodiscard]] const Vec2& centre() const { return centre_; }  ///< [m]
+
+  /// Largest distances from the centre along axes 1 and 2 [m].
   [[nodiscard]] Vec2 semi_axes() const {
     Vec2 widest{0, 0};
     for (const BodyIndex i : members_)
-      widest = componentwise_max(widest, componentwise_abs(particles_.body(i).position));
+      widest = componentwise_max(widest, componentwise_abs(particles_.body(i).position - centre_));
     return widest;
   }
 
@@ -87,7 +128,7 @@ class BoundaryPolygon {
  private:
   [[nodiscard]] static std::vector<Vec2> part_on_left(Ring ring, const Line& line) {
     if (ring.empty()) return {};
-    if (const auto parts = cut(ring, line)) return parts->left;
+    if (const auto parts = internal::divide(ring, line, 1e-6 * diameter(ring))) return parts->left;
     if (line.left_distance(area_properties(ring).centroid) < 0) return {};
     return {ring.begin(), ring.end()};
   }
@@ -118,6 +159,7 @@ class BoundaryPolygon {
   }
 
   const Particles& particles_;
+  Vec2 centre_;
   std::vector<BodyIndex> members_;
 };
 

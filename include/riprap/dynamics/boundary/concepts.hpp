@@ -35,6 +35,7 @@ concept SampleBoundaryRate = requires(B& boundary) { boundary.set_rate(0.0, 0.0)
 /// `boundary.region(particles)`: the sample as it stands, read at once: `.area()` [m^2], which
 /// shrinks at the sum of the two rates, `.semi_axes()` along axes 1 and 2 [m], `.solid_area()` of
 /// rock in it [m^2], `.lost()`, how many free particles have left it. Const: observers ask, too.
+/// Optional: `.centre()` [m], the point that its strain leaves where it is; without it, the origin.
 template <class B>
 concept SampleBoundaryRegion = requires(const B& boundary, const Particles& particles) {
   { boundary.region(particles).area() } -> std::convertible_to<double>;
@@ -97,6 +98,15 @@ consteval bool check_sample_boundary() {
                 "riprap: the boundary of a BiaxialTest must have region(const Particles&) const "
                 "with area(), semi_axes(), solid_area() and lost()");
   return SampleBoundary<B>;
+}
+
+/// Where the strain of a sample moves nothing [m].
+template <class Region>
+[[nodiscard]] Vec2 centre_of(const Region& region) {
+  if constexpr (requires { region.centre(); })
+    return region.centre();
+  else
+    return {0, 0};
 }
 
 /// Throws InvalidInput, naming the first body of this motion and the rule.

@@ -2,6 +2,7 @@
 /// @file
 /// No boundary at all: a cell that repeats itself and is strained as a whole.
 
+#include <algorithm>
 #include <vector>
 
 #include <riprap/contact/plane.hpp>
@@ -14,10 +15,11 @@ namespace riprap {
 /// One cell of a periodic assembly.
 class PeriodicRegion {
  public:
-  PeriodicRegion(const Particles& particles, const Vec2& period)
-      : particles_(particles), period_(period) {}
+  PeriodicRegion(const Particles& particles, const PeriodicPlane& plane)
+      : particles_(particles), period_(plane.period), centre_(plane.centre) {}
 
   [[nodiscard]] double area() const { return period_.prod(); }               ///< [m^2]
+  [[nodiscard]] const Vec2& centre() const { return centre_; }               ///< [m]
   [[nodiscard]] Vec2 semi_axes() const { return 0.5 * period_; }             ///< [m]
   [[nodiscard]] double solid_area() const { return free_area(particles_); }  ///< [m^2]
   /// None can leave: what goes out on one side is what comes in on the other.
@@ -26,10 +28,11 @@ class PeriodicRegion {
  private:
   const Particles& particles_;
   Vec2 period_;
+  Vec2 centre_;
 };
 
-/// Takes the cell of the assembly and shortens it at the rates that are set. Images move with the
-/// cell; particles follow through their contacts. Positions are never wrapped.
+/// Takes the cell of the assembly and shortens it about its centre at the rates that are set.
+/// Images move with the cell; particles follow through their contacts. Positions are never wrapped.
 class PeriodicCell {
  public:
   /// Shortening rates along axes 1 and 2 [1/s], positive in compression.
@@ -40,13 +43,23 @@ class PeriodicCell {
   }
   [[nodiscard]] const Vec2& rate() const { return plane_.rate; }
 
-  /// Throws InvalidInput if the assembly is not periodic or has a boundary of its own.
+  /// Throws InvalidInput if the assembly is not periodic, has a boundary of its own, or lies
+  /// elsewhere than its cell.
   void enclose(const Assembly& assembly, const Particles& particles) {
     for (const Motion motion : {Motion::strain_field, Motion::platen})
       refuse_motion(particles, motion, "a PeriodicCell has no boundary bodies");
     require_positive("PeriodicCell: Assembly.period along axis 1", assembly.period.x());
     require_positive("PeriodicCell: Assembly.period along axis 2", assembly.period.y());
     plane_.period = assembly.period;
+    plane_.centre = assembly.centre;
+    const auto is_near = [&](const Body& body) {
+      const Vec2 away = componentwise_abs(body.position - assembly.centre);
+      return away.x() <= assembly.period.x() && away.y() <= assembly.period.y();
+    };
+    if (std::none_of(particles.bodies().begin(), particles.bodies().end(), is_near))
+      throw InvalidInput("PeriodicCell: no particle lies within a period of Assembly.centre = (" +
+                         to_text(assembly.centre.x()) + ", " + to_text(assembly.centre.y()) +
+                         ") m");
   }
 
   void drive(std::vector<Body>&, double) const {}
@@ -57,7 +70,7 @@ class PeriodicCell {
   }
 
   [[nodiscard]] PeriodicRegion region(const Particles& particles) const {
-    return {particles, plane_.period};
+    return {particles, plane_};
   }
 
  private:

@@ -1,9 +1,10 @@
 #pragma once
 /// @file
-/// Four rigid, smooth walls that close in on the origin.
+/// Four rigid, smooth walls that close in on the middle between them.
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,7 @@ class PlatenRegion {
       : particles_(particles), low_(low), high_(high) {}
 
   [[nodiscard]] double area() const { return (high_ - low_).prod(); }        ///< [m^2]
+  [[nodiscard]] Vec2 centre() const { return 0.5 * (low_ + high_); }         ///< [m]
   [[nodiscard]] Vec2 semi_axes() const { return 0.5 * (high_ - low_); }      ///< [m]
   [[nodiscard]] double solid_area() const { return free_area(particles_); }  ///< [m^2]
   /// Free particles whose centroid lies outside.
@@ -40,10 +42,10 @@ class PlatenRegion {
   Vec2 high_;
 };
 
-/// Moves the inner face of every body of Motion::platen with v = -rate x along its normal: one
-/// platen on each side of the origin, its centroid on axis 1 or 2, its inner face across that axis.
-/// Contacts with platens carry no tangential force. A platen that has come to the end of its
-/// neighbours is a SimulationError.
+/// Moves the inner face of every body of Motion::platen with v = -rate x along its normal, x from
+/// the middle between the faces at the start: one platen on each side of the sample, its centroid
+/// on axis 1 or 2 through the middle, its inner face across that axis. Contacts with platens carry
+/// no tangential force. A platen that has come to the end of its neighbours is a SimulationError.
 class RigidPlatens {
  public:
   /// Shortening rates along axes 1 and 2 [1/s], positive in compression.
@@ -58,14 +60,17 @@ class RigidPlatens {
   void enclose(const Assembly& /*assembly*/, const Particles& particles) {
     refuse_motion(particles, Motion::strain_field, "RigidPlatens moves platens only");
     platens_.clear();
+    const Vec2 among = middle_of_centroids(particles);
     for (BodyIndex i = 0; i < particles.size(); ++i)
-      if (particles.body(i).motion == Motion::platen) platens_.push_back(platen(particles, i));
+      if (particles.body(i).motion == Motion::platen)
+        platens_.push_back(platen(particles, i, among));
     int sides = 0;
     for (const Platen& p : platens_) sides |= 1 << (2 * p.axis + (p.to_face > 0 ? 1 : 0));
     if (platens_.size() != 4 || sides != 0b1111)
       throw InvalidInput("RigidPlatens needs four bodies of Motion::platen, one on each side of "
-                         "the origin; the assembly has " +
+                         "the middle between them; the assembly has " +
                          std::to_string(platens_.size()));
+    centre_ = region(particles).centre();
   }
 
   void drive(std::vector<Body>& bodies, double /*time_step*/) const {
@@ -78,7 +83,8 @@ class RigidPlatens {
         throw SimulationError("the platens no longer close the sample: one has passed the end of "
                               "its neighbours");
       body.velocity = Vec2{0, 0};
-      body.velocity[p.axis] = -rate_[p.axis] * (body.position[p.axis] + p.to_face);
+      body.velocity[p.axis] =
+          -rate_[p.axis] * (body.position[p.axis] + p.to_face - centre_[p.axis]);
       body.angular_velocity = 0;
     }
   }
@@ -107,14 +113,27 @@ class RigidPlatens {
     return {low, high};
   }
 
-  [[nodiscard]] static Platen platen(const Particles& particles, BodyIndex i) {
+  // Of the box around the centroids of the platens.
+  [[nodiscard]] static Vec2 middle_of_centroids(const Particles& particles) {
+    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+    Vec2 high = -low;
+    for (const Body& body : particles.bodies()) {
+      if (body.motion != Motion::platen) continue;
+      low = componentwise_min(low, body.position);
+      high = componentwise_max(high, body.position);
+    }
+    return 0.5 * (low + high);
+  }
+
+  [[nodiscard]] static Platen platen(const Particles& particles, BodyIndex i, const Vec2& among) {
     const Vec2& centre = particles.body(i).position;
-    const int axis = std::abs(centre.x()) >= std::abs(centre.y()) ? 0 : 1;
+    const Vec2 side = componentwise_abs(centre - among);
+    const int axis = side.x() >= side.y() ? 0 : 1;
     double nearest = centre[axis];
     double low = centre[1 - axis];
     double high = low;
     for (const Vec2& v : particles.ring(i)) {
-      if (std::abs(v[axis]) < std::abs(nearest)) nearest = v[axis];
+      if (std::abs(v[axis] - among[axis]) < std::abs(nearest - among[axis])) nearest = v[axis];
       low = std::min(low, v[1 - axis]);
       high = std::max(high, v[1 - axis]);
     }
@@ -123,6 +142,7 @@ class RigidPlatens {
   }
 
   Vec2 rate_{0, 0};
+  Vec2 centre_{0, 0};  // fixed point of the motion
   std::vector<Platen> platens_;
 };
 

@@ -11,9 +11,9 @@
 
 namespace riprap {
 
-/// Moves every body of Motion::strain_field with v = -rate x about the origin, without rotation (a
-/// freely turning ring acts as a roller bearing and lowers the peak strength). The sample is what
-/// the polygon through their centroids encloses.
+/// Moves every body of Motion::strain_field with v = -rate x about the centre of their ring,
+/// without rotation (a freely turning ring acts as a roller bearing and lowers the peak strength).
+/// The sample is what the polygon through their centroids encloses.
 class StrainField {
  public:
   /// Shortening rates along axes 1 and 2 [1/s], positive in compression.
@@ -27,22 +27,24 @@ class StrainField {
   void drive(std::vector<Body>& bodies, double /*time_step*/) const {
     for (Body& body : bodies)
       if (body.motion == Motion::strain_field) {
-        body.velocity = -componentwise_product(rate_, body.position);
+        body.velocity = -componentwise_product(rate_, body.position - centre_);
         body.angular_velocity = 0;
       }
   }
 
   /// Throws InvalidInput for platens.
-  void enclose(const Assembly& /*assembly*/, const Particles& particles) const {
+  void enclose(const Assembly& /*assembly*/, const Particles& particles) {
     refuse_motion(particles, Motion::platen, "StrainField moves no platens; RigidPlatens does");
+    centre_ = ring_centre(particles);
   }
 
   [[nodiscard]] BoundaryPolygon region(const Particles& particles) const {
-    return BoundaryPolygon(particles);
+    return {particles, centre_};
   }
 
  private:
   Vec2 rate_{0, 0};
+  Vec2 centre_{0, 0};  // fixed point of the field
 };
 
 static_assert(SampleBoundary<StrainField>);
