@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <riprap/dynamics/boundary/periodic_cell.hpp>
@@ -260,12 +261,58 @@ TEST_CASE("a strength in the wrong unit is told before the first step") {
   const auto warnings = [](double strength) {
     const Simulation sim{Model{}.criterion(HoekBrown{.compressive_strength = strength}),
                          random_assembly({.count = 30}), Rock{}};
-    const BiaxialView<std::remove_cv_t<decltype(sim)>> view{.sim = sim, .confining_pressure = 8e6};
+    const BiaxialView<std::remove_cv_t<decltype(sim)>> view{
+        .sim = sim, .confining_pressure = 8e6, .mean_diameter = 0.016};
     RangeCheck check;
     check.begin_stage(view);
     return check.warnings();
   };
   CHECK(warnings(300e6).empty());
   REQUIRE(warnings(300).size() == 1);
-  CHECK(warnings(300)[0].ends_with("above 0.5: is the strength in Pa?"));
+  CHECK(warnings(300)[0].ends_with(": is the strength in Pa?"));
+}
+
+TEST_CASE("a share of failed elements above 1 is told: nothing can break") {
+  const Simulation sim{Model{}.trigger(FailedElementRatio{.critical = 1.5}),
+                       random_assembly({.count = 30}), Rock{}};
+  const BiaxialView<std::remove_cv_t<decltype(sim)>> view{
+      .sim = sim, .confining_pressure = 8e6, .mean_diameter = 0.016};
+  RangeCheck check;
+  check.begin_stage(view);
+  REQUIRE(check.warnings().size() == 1);
+  CHECK(check.warnings()[0].ends_with("= 1.5 above 1 at strain 0 of compaction: no particle can "
+                                      "break"));
+}
+
+TEST_CASE("a servo that does not hold the lateral stress has missed the target of shear") {
+  Simulation sim{Model{}.criterion(NeverFails{}), random_assembly({.count = 40, .seed = 2}),
+                 Rock{}};
+  RangeCheck check({.confinement_error = 1e-9});
+  const BiaxialResult result =
+      BiaxialTest{.confining_pressure = 4e6, .axial_strain = 0.005, .confinement_tolerance = 1e-9}
+          .run(sim, check);
+  CHECK(result.stage(Stage::hydrostatic).reached_target);
+  CHECK_FALSE(result.stage(Stage::shear).reached_target);
+  const auto& rows = check.table().rows();
+  for (const char* name : {"mean error of the lateral stress", "missed targets of stages"}) {
+    const auto row = std::find_if(rows.begin(), rows.end(),
+                                  [&](const CheckedNumber& n) { return n.name == name; });
+    REQUIRE(row != rows.end());
+    CHECK_FALSE(row->holds());
+  }
+}
+
+TEST_CASE("a test whose particles are thrown out ends with an error, and the records stay") {
+  // A law that throws apart what touches.
+  struct Explosion : LinearSpringCoulomb {
+    ContactForce operator()(const ContactGeometry& geometry, const ContactMotion& motion,
+                            History& history) const {
+      ContactForce force = LinearSpringCoulomb::operator()(geometry, motion, history);
+      force.normal *= 300;
+      return force;
+    }
+  };
+  Simulation sim{Model{}.criterion(NeverFails{}).contact(Explosion{}),
+                 random_assembly({.count = 40, .seed = 2}), Rock{}};
+  CHECK_THROWS_AS(BiaxialTest{}.run(sim), SimulationError);
 }

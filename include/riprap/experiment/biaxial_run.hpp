@@ -76,7 +76,29 @@ class BiaxialRun {
   }
   [[nodiscard]] auto region() const { return sim_.boundary().region(sim_.particles()); }
   [[nodiscard]] Stress2 stress() const {
-    return average_stress(sim_.contacts(), view_.area, sim_.particles().thickness());
+    try {
+      return average_stress(sim_.contacts(), view_.area, sim_.particles().thickness());
+    } catch (const InvalidInput& error) {
+      throw SimulationError(error.what());
+    }
+  }
+
+  // Throws SimulationError where the sample is one no more.
+  void check_sample() const {
+    const double energy = kinetic_energy(sim_.particles()) + stored_energy(sim_.contacts());
+    if (!std::isfinite(energy))
+      throw SimulationError("kinetic and stored energy are no longer finite");
+    const auto sample = region();
+    const Vec2 centre = centre_of(sample);
+    const double far = 4 * Vec2(sample.semi_axes()).norm();
+    if constexpr (!Sim::Plane::periodic)
+      for (BodyIndex i = 0; i < sim_.particles().size(); ++i) {
+        const double distance = (sim_.particles().body(i).position - centre).norm();
+        if (sim_.particles().body(i).is_free() && !(distance <= far))
+          throw SimulationError(particle_text(sim_.particles().ancestry(i).id) +
+                                " has been thrown out of the sample: " + to_text(distance) +
+                                " m from its centre");
+      }
   }
 
   [[nodiscard]] double unbalanced_force() const {
@@ -114,6 +136,8 @@ class BiaxialRun {
     view_.area = first_area_ * view_.stretch.x() * view_.stretch.y();
     for (std::size_t i = breaks; i < sim_.breaks().size(); ++i)
       tell([&](auto& o) { hooks::record_break(o, view_, sim_.breaks()[i]); });
+    // Steps with breaks take long.
+    if (breaks != sim_.breaks().size()) progress(view_.done);
   }
   void set_rate(const Vec2& rate) {
     view_.rate = rate;
@@ -136,7 +160,9 @@ class BiaxialRun {
     for (std::uint64_t n = 1; n <= test_.most_steps; ++n) {
       steer();
       step();
-      if (n % check_interval == 0 && finished()) return true;
+      if (n % check_interval != 0) continue;
+      check_sample();
+      if (finished()) return true;
     }
     return false;
   }
@@ -229,7 +255,13 @@ class BiaxialRun {
       const double reached = std::min(1.0, (sim_.time() - begun + sim_.time_step()) / ramp);
       set_rate({servo.rate(-error * p, sim_.time_step()), reached * rate / view_.stretch.y()});
       step();
-      if (++steps % check_interval == 0) progress(view_.axial_strain() / test_.axial_strain);
+      ++steps;
+      view_.mean_confinement_error = error_sum / static_cast<double>(steps);
+      view_.saturated_share = static_cast<double>(servo.saturated()) / static_cast<double>(steps);
+      if (steps % check_interval == 0) {
+        check_sample();
+        progress(view_.axial_strain() / test_.axial_strain);
+      }
       if (view_.axial_strain() >= next_record || view_.axial_strain() >= test_.axial_strain) {
         record();
         next_record += test_.record_every;
@@ -237,13 +269,14 @@ class BiaxialRun {
     }
     outcome(Stage::shear).saturated_steps = servo.saturated();
     if (steps > 0) {
-      result_.mean_confinement_error = error_sum / static_cast<double>(steps);
+      result_.mean_confinement_error = view_.mean_confinement_error;
       result_.rms_confinement_error = std::sqrt(error_squares / static_cast<double>(steps));
     }
-    return true;
+    return std::abs(result_.mean_confinement_error) <= test_.confinement_tolerance;
   }
 
   void record() {
+    check_sample();
     tell([&](auto& o) { hooks::record(o, view_); });
   }
 

@@ -27,6 +27,8 @@ struct BiaxialTest {
   double rest_unbalanced_force = 1e-3;       ///< that ends relaxation
   double hydrostatic_tolerance = 0.01;       ///< on both normal stresses
   double hydrostatic_unbalanced_force = 1e-2;
+  /// Mean error of sigma_11 in shear above which the stage has missed its target.
+  double confinement_tolerance = 0.05;
   std::uint64_t most_steps = 2'000'000;  ///< per stage before shear
 
   /// Throws InvalidInput that names the value and the rule.
@@ -42,6 +44,7 @@ struct BiaxialTest {
     require_positive("BiaxialTest.rest_unbalanced_force", rest_unbalanced_force);
     require_positive("BiaxialTest.hydrostatic_tolerance", hydrostatic_tolerance);
     require_positive("BiaxialTest.hydrostatic_unbalanced_force", hydrostatic_unbalanced_force);
+    require_positive("BiaxialTest.confinement_tolerance", confinement_tolerance);
   }
 
   /// Runs all four stages. Observers get the hooks of a simulation step and, with a BiaxialView,

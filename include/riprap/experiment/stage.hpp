@@ -29,13 +29,15 @@ template <class Sim>
 struct BiaxialView {
   const Sim& sim;
   Stage stage = Stage::compaction;
-  double done = 0;                ///< rough share of the stage that is done, in [0, 1]
-  bool reached_target = false;    ///< at end_stage; false: the cap on its steps ended the stage
-  double confining_pressure = 0;  ///< [Pa]
-  double mean_diameter = 0;       ///< of the circles of equal area, intact particles [m]
-  Vec2 stretch{1, 1};             ///< extent over that at the start of the stage, axes 1 and 2
-  Vec2 rate{0, 0};                ///< shortening rates [1/s]
-  double area = 0;                ///< of the assembly [m^2]
+  double done = 0;                    ///< rough share of the stage that is done, in [0, 1]
+  bool reached_target = false;        ///< at end_stage; false: the cap on its steps ended the stage
+  double confining_pressure = 0;      ///< [Pa]
+  double mean_diameter = 0;           ///< of the circles of equal area, intact particles [m]
+  Vec2 stretch{1, 1};                 ///< extent over that at the start of the stage, axes 1 and 2
+  Vec2 rate{0, 0};                    ///< shortening rates [1/s]
+  double area = 0;                    ///< of the assembly [m^2]
+  double mean_confinement_error = 0;  ///< of shear so far: mean of sigma_11 / pressure - 1
+  double saturated_share = 0;         ///< steps of shear so far with the servo at its limit
 
   /// Engineering strain of the field along axis 2, positive in shortening.
   [[nodiscard]] double axial_strain() const { return 1 - stretch.y(); }

@@ -12,9 +12,11 @@
 
 namespace riprap {
 
-/// Inertial number I = rate d sqrt(density / pressure) [-]; quasi-static below about 1e-3.
+/// Inertial number I = rate d sqrt(density / pressure) [-]; quasi-static below about 1e-3, infinite
+/// where there is no pressure.
 [[nodiscard]] inline double inertial_number(double strain_rate, double diameter, double density,
                                             double pressure) {
+  if (!(pressure > 0)) return std::numeric_limits<double>::infinity();
   return strain_rate * diameter * std::sqrt(density / pressure);
 }
 

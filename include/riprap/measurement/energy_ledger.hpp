@@ -2,6 +2,7 @@
 /// @file
 /// Where the work of the boundary goes, term by term.
 
+#include <algorithm>
 #include <utility>
 
 #include <riprap/measurement/energy.hpp>
@@ -23,6 +24,11 @@ struct EnergyTerms {
   double breakage = 0;         ///< kinetic and stored energy that vanished when particles split
   double law_residual = 0;     ///< work of the contacts that the law's own energy does not explain
 
+  /// Energy that comes from nowhere: what the contact law gives without its stored energy's account
+  /// for it, and what splitting adds.
+  [[nodiscard]] double made() const {
+    return std::max(0.0, -law_residual) + std::max(0.0, -breakage);
+  }
   /// What the terms leave over: an error of the bookkeeping or of the integrator.
   [[nodiscard]] double unclosed() const {
     return boundary_work + body_force_work - kinetic - stored - slip - dashpot - damping -

@@ -20,10 +20,13 @@ namespace riprap {
 /// of shear and warnings: on a terminal a line that is rewritten, elsewhere a line now and then.
 class Progress {
  public:
-  explicit Progress(std::FILE* out = stderr) : out_(out), in_place_(is_terminal(out)) {}
+  explicit Progress(std::FILE* out = stderr, const Limits& limits = {})
+      : out_(out), in_place_(is_terminal(out)), check_(limits) {}
 
   /// Everything that left its range so far.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return check_.warnings(); }
+  /// Every number that is checked, beside its limit.
+  [[nodiscard]] RangeCheck& check() { return check_; }
 
   template <class Sim>
   void begin_stage(const BiaxialView<Sim>& view) {
