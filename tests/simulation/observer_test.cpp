@@ -23,6 +23,20 @@ static_assert(hooks::has_lap<StopWatch>);
 static_assert(!hooks::has_lap<None>);
 static_assert(!hooks::has_lap<Some>);
 
+// A misspelt hook is none, one with another parameter is one, which a step refuses.
+struct Misspelt {
+  void after_stpe(int) {}
+};
+struct Changes {
+  void after_step(int&) {}
+};
+static_assert(hooks::StepHooks<Some, int>::before_forces);
+static_assert(!hooks::StepHooks<Some, int>::after_forces);
+static_assert(hooks::StepHooks<StopWatch, int>::any);
+static_assert(!hooks::StepHooks<None, int>::any);
+static_assert(!hooks::StepHooks<Misspelt, int>::any);
+static_assert(hooks::StepHooks<Changes, int>::after_step);
+
 }  // namespace
 
 TEST_CASE("an observer is called for the hooks it has and left alone for the others") {

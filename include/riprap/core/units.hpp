@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// Literals that turn the units of the trade into SI at the door.
+/// Unit literals (MPa, mm, deg), converted to SI. They give plain numbers: the compiler does not see
+/// a length where a stress belongs.
 
 #include <numbers>
 

@@ -43,6 +43,7 @@ class BiaxialRun {
  public:
   BiaxialRun(const Test& test, Sim& sim, std::remove_reference_t<Observers>&... observers)
       : test_(test), sim_(sim), observers_(observers...),
+        step_observers_(std::tuple_cat(if_of_step(observers)...)),
         view_{.sim = sim, .confining_pressure = test.confining_pressure} {
     view_.mean_diameter = equivalent_diameter(sim.mean_area());
   }
@@ -131,7 +132,7 @@ class BiaxialRun {
 
   void step() {
     const std::size_t breaks = sim_.breaks().size();
-    std::apply([&](auto&... o) { sim_.step(o...); }, observers_);
+    std::apply([&](auto&... o) { sim_.step(o...); }, step_observers_);
     view_.stretch -= sim_.time_step() * componentwise_product(view_.rate, view_.stretch);
     view_.area = first_area_ * view_.stretch.x() * view_.stretch.y();
     for (std::size_t i = breaks; i < sim_.breaks().size(); ++i)
@@ -280,9 +281,20 @@ class BiaxialRun {
     tell([&](auto& o) { hooks::record(o, view_); });
   }
 
+  // A tuple of an observer that has hooks of a step, or of none.
+  template <class O>
+  [[nodiscard]] static auto if_of_step(O& observer) {
+    if constexpr (hooks::StepHooks<std::remove_cv_t<O>, Sim>::any)
+      return std::tie(observer);
+    else
+      return std::tuple<>{};
+  }
+
   const Test& test_;
   Sim& sim_;
   std::tuple<std::remove_reference_t<Observers>&...> observers_;
+  decltype(std::tuple_cat(
+      if_of_step(std::declval<std::remove_reference_t<Observers>&>())...)) step_observers_;
   BiaxialView<Sim> view_;
   double first_area_ = 0;
   BiaxialResult result_;

@@ -52,6 +52,7 @@ struct BiaxialTest {
   /// and `end_stage`.
   template <class Sim, class... Observers>
   BiaxialResult run(Sim& sim, Observers&&... observers) const {
+    (hooks::check_biaxial_observer<std::remove_cvref_t<Observers>, Sim>(), ...);
     using Edge = std::remove_cvref_t<decltype(sim.boundary())>;
     if constexpr (check_sample_boundary<Edge>()) {
       validate();

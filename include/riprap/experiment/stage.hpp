@@ -48,6 +48,34 @@ struct BiaxialView {
 /// Hooks that a biaxial test adds to those of a simulation step.
 namespace hooks {
 
+/// Which hooks an observer has, in a biaxial test of the simulation `Sim`.
+template <class O, class Sim>
+struct BiaxialHooks : StepHooks<O, Sim> {
+  using View = BiaxialView<Sim>;
+  static constexpr bool begin_stage = requires(O& o, View& view) { o.begin_stage(view); } ||
+                                      requires { requires IsFunction<&O::begin_stage>; };
+  static constexpr bool progress = requires(O& o, View& view) { o.progress(view); } ||
+                                   requires { requires IsFunction<&O::progress>; };
+  static constexpr bool record = requires(O& o, View& view) { o.record(view); } ||
+                                 requires { requires IsFunction<&O::record>; };
+  static constexpr bool record_break = requires(O& o, View& view, const BreakEvent& event) {
+    o.record_break(view, event);
+  } || requires { requires IsFunction<&O::record_break>; };
+  static constexpr bool end_stage = requires(O& o, View& view) { o.end_stage(view); } ||
+                                    requires { requires IsFunction<&O::end_stage>; };
+  static constexpr bool any =
+      StepHooks<O, Sim>::any || begin_stage || progress || record || record_break || end_stage;
+};
+
+/// Refuses an observer that a biaxial test would never call: a hook may be misspelt.
+template <class O, class Sim>
+consteval void check_biaxial_observer() {
+  static_assert(BiaxialHooks<O, Sim>::any,
+                "riprap: an observer of a BiaxialTest must have one of the hooks begin_stage, "
+                "progress, record, record_break, end_stage, or one of a step "
+                "(docs/policies/observer.md)");
+}
+
 /// A stage begins.
 inline constexpr auto begin_stage = []<class O, class View>(O& observer, const View& view) {
   if constexpr (requires { observer.begin_stage(view); })

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include <riprap/core/step_part.hpp>
+#include <riprap/simulation/break_event.hpp>
 
 /// An observer is any object with some of the member functions named here; each is called with the
 /// simulation (const). A hook that an observer does not have costs nothing; one that it has, but
@@ -28,6 +29,38 @@ consteval void check_no_hook() {
   static_assert(HasNoSuchHook<O, is_function, takes_reference>,
                 "riprap: an observer has a hook that cannot be called with a const "
                 "reference to what hooks get (docs/policies/observer.md)");
+}
+
+/// Which hooks of a step an observer has; a hook that cannot be called is refused by the step. To
+/// assert that none is misspelt: `static_assert(hooks::StepHooks<CountSteps, Sim>::after_step)`.
+template <class O, class Sim>
+struct StepHooks {
+  static constexpr bool lap =
+      requires(O& o, StepPart& part) { o.lap(part); } || requires { requires IsFunction<&O::lap>; };
+  static constexpr bool before_forces = requires(O& o, Sim& sim) { o.before_forces(sim); } ||
+                                        requires { requires IsFunction<&O::before_forces>; };
+  static constexpr bool after_forces = requires(O& o, Sim& sim) { o.after_forces(sim); } ||
+                                       requires { requires IsFunction<&O::after_forces>; };
+  static constexpr bool before_splits = requires(O& o, Sim& sim) { o.before_splits(sim); } ||
+                                        requires { requires IsFunction<&O::before_splits>; };
+  static constexpr bool on_break = requires(O& o, Sim& sim, const BreakEvent& event) {
+    o.on_break(sim, event);
+  } || requires { requires IsFunction<&O::on_break>; };
+  static constexpr bool after_splits = requires(O& o, Sim& sim) { o.after_splits(sim); } ||
+                                       requires { requires IsFunction<&O::after_splits>; };
+  static constexpr bool after_step = requires(O& o, Sim& sim) { o.after_step(sim); } ||
+                                     requires { requires IsFunction<&O::after_step>; };
+  static constexpr bool any = lap || before_forces || after_forces || before_splits || on_break ||
+                              after_splits || after_step;
+};
+
+/// Refuses an observer that a step would never call: a hook may be misspelt.
+template <class O, class Sim>
+consteval void check_step_observer() {
+  static_assert(StepHooks<O, Sim>::any,
+                "riprap: an observer of a step must have one of the hooks lap, before_forces, "
+                "after_forces, before_splits, on_break, after_splits, after_step "
+                "(docs/policies/observer.md)");
 }
 
 /// Whether an observer measures time.

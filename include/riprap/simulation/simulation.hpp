@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -97,6 +98,7 @@ class Simulation {
   /// if the step takes it past others or into another, or if it breaks into pieces without end.
   template <class... Observers>
   void step(Observers&&... observers) {
+    (hooks::check_step_observer<std::remove_cvref_t<Observers>, Simulation>(), ...);
     const auto lap = laps(observers...);
     lap(StepPart::elsewhere);
     boundary().drive(particles_.bodies(), time_step_);
