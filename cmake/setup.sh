@@ -30,16 +30,10 @@ quietly() {
   exit 1
 }
 
-# g++ 12 and clang 16 are what riprap is held to; older ones may know what is asked for here.
 has_compiler() {
   local compiler
   read -ra compiler <<<"${CXX:-c++}"
-  "${compiler[@]}" -std=c++20 -fsyntax-only -x c++ - >/dev/null 2>&1 <<'SOURCE'
-#include <version>
-#if !defined(__cpp_lib_ranges) || !defined(__cpp_aggregate_paren_init)
-#error not enough of C++20
-#endif
-SOURCE
+  "${compiler[@]}" -std=c++20 -fsyntax-only -x c++ "$root/include/riprap/compiler.hpp" >/dev/null 2>&1
 }
 
 has_cmake() {
