@@ -1,9 +1,11 @@
 # shellcheck shell=bash
 # Sourced by examples/run, tests/run and the scripts of .ci: finds or installs what riprap needs,
-# then configures and builds in build/release.
+# then configures and builds in build/release, or in the folder that RIPRAP_BUILD_DIR names.
 
 root=$(CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
-build=$root/build/release
+# Absolute, for scripts that call others from elsewhere.
+[[ ${RIPRAP_BUILD_DIR:-/} == /* ]] || RIPRAP_BUILD_DIR=$PWD/$RIPRAP_BUILD_DIR
+build=${RIPRAP_BUILD_DIR:-$root/build/release}
 log=$build/setup.log
 jobs=$(nproc 2>/dev/null || getconf _NPROCESSORS_ONLN)
 
@@ -21,25 +23,32 @@ tools=("make|make|make")
 # To stderr, so that what an example prints can be piped.
 say() { printf '%s\n' "$*" >&2; }
 
-# quietly COMMAND...: its output is shown only when it fails, and then this is the end.
-quietly() {
-  mkdir -p "$build"
-  "$@" >"$log" 2>&1 </dev/null && return
+check_build_folder() {
+  { mkdir -p "$build" && : >"$log"; } 2>/dev/null && return
+  say "The build folder $build is not writable; RIPRAP_BUILD_DIR=FOLDER in the environment names another."
+  exit 1
+}
+
+# into_log COMMAND...: its output goes to the log.
+into_log() {
+  check_build_folder
+  "$@" >"$log" 2>&1 </dev/null
+}
+
+# fail COMMAND...: shows the log of a command that has failed.
+fail() {
   cat "$log" >&2
   say "failed: $*"
   exit 1
 }
 
-# g++ 12 and clang 16 are what riprap is held to; older ones may know what is asked for here.
+# quietly COMMAND...: its output is shown only when it fails, and then this is the end.
+quietly() { into_log "$@" || fail "$@"; }
+
 has_compiler() {
   local compiler
   read -ra compiler <<<"${CXX:-c++}"
-  "${compiler[@]}" -std=c++20 -fsyntax-only -x c++ - >/dev/null 2>&1 <<'SOURCE'
-#include <version>
-#if !defined(__cpp_lib_ranges) || !defined(__cpp_aggregate_paren_init)
-#error not enough of C++20
-#endif
-SOURCE
+  "${compiler[@]}" -std=c++20 -fsyntax-only -x c++ "$root/include/riprap/compiler.hpp" >/dev/null 2>&1
 }
 
 has_cmake() {
@@ -78,15 +87,28 @@ look_for_needs() {
   done
 }
 
+# wait_for_apt COMMAND...: like quietly, but tries again while another process holds a lock of apt,
+# for ten minutes. Not apt's DPkg::Lock::Timeout, which does not cover the lock of its lists.
+wait_for_apt() {
+  local tries
+  for tries in {1..120}; do
+    into_log "$@" && return
+    grep -q 'Could not get lock\|locked by another process' "$log" || break
+    ((tries > 1)) || say "waiting for another process that holds the lock of apt ..."
+    sleep 5
+  done
+  fail "$@"
+}
+
 # install_packages PACKAGE...: false where there is no apt, or no right to use it.
 install_packages() {
   local as_root=(env)
   ((EUID == 0)) || as_root=(sudo env)
+  as_root+=(LC_ALL=C DEBIAN_FRONTEND=noninteractive)
   command -v apt-get >/dev/null && command -v "${as_root[0]}" >/dev/null || return
   say "installing $* ..."
-  quietly "${as_root[@]}" apt-get update
-  quietly "${as_root[@]}" DEBIAN_FRONTEND=noninteractive \
-    apt-get install --yes --no-install-recommends "$@"
+  wait_for_apt "${as_root[@]}" apt-get update
+  wait_for_apt "${as_root[@]}" apt-get install --yes --no-install-recommends "$@"
 }
 
 install_needs() {
@@ -102,17 +124,23 @@ install_needs() {
   ((${#missing[@]} == 0)) || { say "still missing after the installation"; exit 1; }
 }
 
-# configure SETTING...: configures build/release, unless that is done and the settings (NAME=ON or
+# Makes configure run CMake again.
+forget_configuration() {
+  check_build_folder
+  rm -f "$build/configured"
+}
+
+# configure SETTING...: configures the build folder, unless that is done and the settings (NAME=ON or
 # NAME=OFF) are as they stand. The two named below may also come from the environment.
 configure() {
-  local settings=("$@") setting done=$build/configured
+  local settings=("$@") setting
   for setting in RIPRAP_WARNINGS_AS_ERRORS RIPRAP_CHECK_HEADERS; do
     [[ -z ${!setting:-} ]] || settings+=("$setting=${!setting}")
   done
   for setting in "${settings[@]}"; do
-    grep -qsx "${setting/=/:BOOL=}" "$build/CMakeCache.txt" || rm -f "$done"
+    grep -qsx "${setting/=/:BOOL=}" "$build/CMakeCache.txt" || forget_configuration
   done
-  [[ ! -e $done ]] || return 0
+  [[ ! -e $build/configured ]] || return 0
 
   if [[ ! -e $build/CMakeCache.txt ]]; then
     # Only what is asked for, so that running an example does not need doctest.
@@ -120,7 +148,7 @@ configure() {
       RIPRAP_BUILD_BENCHMARKS=OFF "${settings[@]}")
   fi
   quietly cmake -S "$root" -B "$build" "${settings[@]/#/-D}"
-  touch "$done"
+  touch "$build/configured"
 }
 
 build_target() { quietly cmake --build "$build" --target "$1" --parallel "$jobs"; }

@@ -4,6 +4,8 @@
 
 #include <string_view>
 
+#include <riprap/compiler.hpp>
+
 #define RIPRAP_VERSION_MAJOR 0
 #define RIPRAP_VERSION_MINOR 1
 #define RIPRAP_VERSION_PATCH 0

@@ -1,6 +1,6 @@
-# A page shows the program of its example, to the letter, between fences; every page of docs/policies
-# has a program and every program a page. The README shows examples/compose likewise, without its
-# first line.
+# A page shows the program of its example, to the letter but for the line of the licence, between
+# fences; every page of docs/policies has a program and every program a page. The README shows
+# examples/compose likewise, without the line that says what it does.
 cmake_policy(VERSION 3.21)
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
 set(violations "")
@@ -12,6 +12,7 @@ function(compare page file)
   else()
     file(READ ${root}/${page} shown)
     file(READ ${root}/${file} text)
+    string(REGEX REPLACE "^// SPDX-[^\n]*\n" "" text "${text}")
     string(REGEX REPLACE "^// [a-z_]+:[^\n]*\n" "" text "${text}")
     string(FIND "${shown}" "\n```cpp\n${text}```\n" place)
     if(place EQUAL -1)

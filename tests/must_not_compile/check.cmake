@@ -1,8 +1,9 @@
 # Compiles a program and holds what the compiler says against the comment that the program begins
-# with. The policy that makes the mistake is called Mine; the compiler must tell so with its error.
+# with, after the line of the licence. The policy that makes the mistake is called Mine; the compiler must tell so with its error.
 cmake_policy(VERSION 3.21)
 
 file(READ ${program} text)
+string(REGEX REPLACE "^// SPDX-[^\n]*\n" "" text "${text}")
 string(REGEX MATCH "^(// [^\n]*\n)+" comment "${text}")
 string(REGEX REPLACE "\n?// " " " sentence "${comment}")
 string(STRIP "${sentence}" sentence)

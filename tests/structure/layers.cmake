@@ -1,5 +1,6 @@
 # Includes run downwards only: a header may include its own layer and those before it in this list.
-# Outside the layers, version.hpp is open to all of them and riprap.hpp to none: it is for users.
+# Outside the layers, compiler.hpp and version.hpp are open to all of them and riprap.hpp to none: it
+# is for users.
 set(layers core material geometry particle contact dynamics stress breakage measurement simulation
            experiment output laws)
 

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include <riprap/compiler.hpp>
+
 namespace riprap {
 
 /// Has `bytes` from `from` on brought to the cache while something else is done. Changes nothing;

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include <riprap/compiler.hpp>
+
 namespace riprap {
 
 /// A bijection of the 64-bit numbers whose values look random (splitmix64; Steele, Lea and Flood

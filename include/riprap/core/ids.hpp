@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include <riprap/compiler.hpp>
+
 namespace riprap {
 
 /// Place of a body in the storage. Changes owner when a particle breaks.

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <riprap/compiler.hpp>
+
 namespace riprap {
 
 /// Indices of `keys` in rising order, equal ones as they stand. No key may be NaN. One function for

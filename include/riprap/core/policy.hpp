@@ -4,6 +4,8 @@
 
 #include <concepts>
 
+#include <riprap/compiler.hpp>
+
 namespace riprap {
 
 namespace clauses {

@@ -8,6 +8,8 @@
 #include <boost/random/uniform_real_distribution.hpp>
 #include <cstdint>
 
+#include <riprap/compiler.hpp>
+
 namespace riprap {
 
 /// A seeded source of random numbers.

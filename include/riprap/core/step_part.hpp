@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <riprap/compiler.hpp>
+
 namespace riprap {
 
 /// In the order in which they run.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include <riprap/compiler.hpp>
+
 namespace riprap {
 
 /// Proportional and integral control of a strain rate [1/s], positive in shortening. The sample is

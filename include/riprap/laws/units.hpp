@@ -2,6 +2,8 @@
 /// @file
 /// Other units of length, mass and time: what a formula gives must not depend on them.
 
+#include <riprap/compiler.hpp>
+
 namespace riprap {
 
 /// By how much the numbers grow when metre, kilogram and second are replaced. By default:

@@ -2,6 +2,8 @@
 /// @file
 /// How much of a sample is empty.
 
+#include <riprap/compiler.hpp>
+
 namespace riprap {
 
 /// Pores over the whole [-]. Rock counted twice where particles in contact overlap is taken off.

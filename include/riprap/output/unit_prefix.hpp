@@ -6,6 +6,8 @@
 #include <charconv>
 #include <string>
 
+#include <riprap/compiler.hpp>
+
 namespace riprap {
 
 /// A prefix of the SI and the factor it stands for; ASCII, so micro is `u`.

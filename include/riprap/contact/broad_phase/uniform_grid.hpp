@@ -36,7 +36,10 @@ struct UniformGrid {
   void visit_pairs(std::span<const Box> boxes, Workspace& workspace, Visit&& visit) const {
     if (boxes.size() < 2) return;
     const Layout grid = layout(boxes);
-    auto& [starts, filled, members] = workspace;
+    // Not a structured binding: clang 16 with -fopenmp cannot capture one in a lambda.
+    std::vector<std::uint32_t>& starts = workspace.starts;
+    std::vector<std::uint32_t>& filled = workspace.filled;
+    std::vector<BodyIndex>& members = workspace.members;
     starts.assign(grid.columns * grid.rows + 1, 0);
     for (const Box& box : boxes)
       grid.visit_cells(box, [&](std::size_t cell) { ++starts[cell + 1]; });

@@ -6,6 +6,8 @@
 #include <boost/polygon/voronoi_diagram.hpp>
 #include <cstdint>
 
+#include <riprap/compiler.hpp>
+
 namespace riprap {
 
 namespace internal {

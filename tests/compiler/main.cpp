@@ -1,0 +1,3 @@
+#include <riprap/riprap.hpp>
+
+int main() {}
