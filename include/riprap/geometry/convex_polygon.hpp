@@ -93,7 +93,7 @@ class ConvexPolygon {
     const double tolerance = 1e-9 * extent;
     if (std::all_of(begin(), end(), [this](const Vec2& v) { return v == vertices_[0]; }))
       throw InvalidInput("polygon has no extent: all vertices coincide");
-    if (!(extent >= 1e-70 && extent <= 1e70)) throw_out_of_range(extent);
+    if (extent < 1e-70 || extent > 1e70) throw_out_of_range(extent);
     // All edges first: beside an edge without length, its own ends would be blamed for a corner.
     for (std::size_t i = 0; i < size(); ++i) {
       const std::size_t next = (i + 1) % size();

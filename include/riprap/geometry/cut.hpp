@@ -41,7 +41,7 @@ namespace internal {
   const std::size_t n = distances.size();
   std::vector<signed char> sides;
   for (const double d : distances)
-    sides.push_back(std::abs(d) <= snap ? 0 : static_cast<signed char>(d > 0 ? 1 : -1));
+    sides.push_back(static_cast<signed char>(std::abs(d) <= snap ? 0 : d > 0 ? 1 : -1));
   std::size_t first = 0;
   while (first < n && sides[first] == 0) ++first;
   if (first == n) return {};

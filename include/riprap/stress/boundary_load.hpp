@@ -32,9 +32,9 @@ throw_invalid_load(const BoundaryPoint& at, const Vec2& force, std::uint32_t bou
 /// finite.
 inline void require_boundary_load(const BoundaryPoint& at, const Vec2& force,
                                   std::uint32_t boundary_nodes) {
-  if (!(at.node < boundary_nodes && at.next < boundary_nodes && at.weight >= 0 && at.weight <= 1 &&
-        std::isfinite(force.x() + force.y())))
-    internal::throw_invalid_load(at, force, boundary_nodes);
+  const bool valid = at.node < boundary_nodes && at.next < boundary_nodes && at.weight >= 0 &&
+                     at.weight <= 1 && std::isfinite(force.x() + force.y());
+  if (!valid) internal::throw_invalid_load(at, force, boundary_nodes);
 }
 
 }  // namespace riprap
