@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // From element stresses to two pieces. criterion/*: a criterion evaluated and tallied in the 100
 // elements of one particle, about a tenth of them failed. line_fit and cut: one call an iteration,
 // made only for particles that break, so they hardly matter in a run. Not measured: the mesh and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // The processor's time that a compiler takes with -O2: compile/compose for the 25-line program of
 // examples/compose, compile/riprap_hpp for its only include. The compiler is that of the
 // benchmarks; names that end in /clang are of clang 16, where CMake has found it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Contacts: their geometry, their force, and the search for pairs. The first two cost one call an
 // iteration, on pairs that touch (those that do not are in geometry/separated_*). The broad phase
 // is one search among N boxes, as it is made when something has moved by half the skin; computing

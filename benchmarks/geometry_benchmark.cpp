@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // The geometry kernels, one call an iteration: polygons of 5 to 8 vertices, and of 3 to 5 in the
 // names that end in /sharp. Input lies in the nearest caches; what a kernel costs when its polygons
 // come from memory is not measured, nor is moving the vertices to the bodies' poses.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Whole time steps of dense samples in shear, with about four contacts a particle.
 //
 // step/no_breakage/N   polygons of 5 to 8 corners at 2 MPa, without stress in the particles; larger

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // The stress check of a particle with four contacts, meshed with N triangles: stress/operator by
 // the compact operator; stress/operator_exact by the exact one, where a particle may break;
 // stress/assemble_and_solve by what they replace, in which every check assembles, factorises and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // What several benchmarks need: polygons, pairs of them, and a counter.
 

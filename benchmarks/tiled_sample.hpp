@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // Samples of any size that are as dense everywhere as a small one: a periodic cell, repeated.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSL-1.0
 # How riprap's own tests, examples and benchmarks are compiled. Nothing of this reaches a project
 # that uses riprap: its warnings and its floating-point flags are its own choice.
 

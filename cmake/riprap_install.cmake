@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSL-1.0
 # cmake --install: the headers, what find_package and pkg-config need to find them, the licence.
 # Nothing installed holds an absolute path, so the tree may be moved.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSL-1.0
 # shellcheck shell=bash
 # Sourced by examples/run, tests/run and the scripts of .ci: finds or installs what riprap needs,
 # then configures and builds in build/release, or in the folder that RIPRAP_BUILD_DIR names.

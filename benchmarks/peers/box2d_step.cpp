@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // box2d_step PACKING  times steps of Box2D.
 
 #include <box2d/box2d.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // chipmunk_step PACKING  times steps of Chipmunk.
 
 #include <chipmunk/chipmunk.h>

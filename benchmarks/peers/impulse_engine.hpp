@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // What the two impulse engines share: units, time step, how the ring is driven, the program.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // lammps_step polygons|discs PACKING FOLDER  writes LAMMPS' input into FOLDER, runs `lmp` there,
 // one process without threads, and reads its own times.
 

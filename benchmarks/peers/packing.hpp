@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // A packing as a text file: what every code of the comparison starts from.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // prepare KIND N FILE  makes a packing for the comparison.
 //   polygons   of 5 to 8 corners, in early shear
 //   discs      the same with regular polygons of 16 corners in place of discs

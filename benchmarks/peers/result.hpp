@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // What a program of the comparison measures and prints: its name, then key=value, tabs in between.
 

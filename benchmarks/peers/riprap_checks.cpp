@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap_checks PACKING PRESSURE STRAIN  times what all checking of stress costs in the shear stage
 // of a biaxial test at a pressure [Pa], up to an axial strain.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap_step PACKING  times steps without breakage.
 
 #include <exception>

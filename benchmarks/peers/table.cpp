@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // table ROUNDS JSON PACKAGES [NOTE...]  reads what all programs have printed, a line each behind
 // round, kind and number of grains, prints the table of medians and writes it to JSON with the
 // single rounds. PACKAGES says which versions of the other codes have run, notes what has not.

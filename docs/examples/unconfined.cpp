@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <cstdio>
 
 #include <riprap/breakage/criterion/hoek_brown.hpp>

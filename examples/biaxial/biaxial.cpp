@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // biaxial: a biaxial test on breakable polygons, with curves and pictures at the end
 
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // One biaxial test with any model, and everything it leaves in the output folder.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Contact law, integrator and support chosen at run time; boundary: rigid platens.
 
 #include "run.hpp"

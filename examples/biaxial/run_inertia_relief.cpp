@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Breakable particles, free in their stress analysis, with everything at its default.
 
 #include "run.hpp"

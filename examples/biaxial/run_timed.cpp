@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // As with inertia relief, with a stop-watch: in a file of its own, for the others read no clock.
 
 #include <riprap/measurement/step_timer.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Particles that never break, with everything at its default: no stress analysis in the program.
 
 #include "run.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // The summary of a biaxial test: every parameter and dimensionless number, peaks, counts, times.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // compose: the whole simulator in 25 lines, with a failure criterion of your own
 #include <riprap/riprap.hpp>
 using namespace riprap;

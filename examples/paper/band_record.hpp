@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // An observer that keeps where shear localised over each 6 % of strain, and how near to it
 // particles broke.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // Runs that differ from a series in one thing, to find out why eq. 14 departs from eq. 12 there.
 

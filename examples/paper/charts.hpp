@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // The charts of Figs 12 and 14 to 21: means over the samples, with bars of one standard deviation.
 

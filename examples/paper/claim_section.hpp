@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // How the report shows the claims: a summary of verdicts, and each claim under its figure.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // The paper's statements of result, each with the rule that judges it from the runs.
 

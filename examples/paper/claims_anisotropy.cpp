@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Section 4.3: anisotropies of contact normals, normal forces and tangential forces.
 
 #include <algorithm>

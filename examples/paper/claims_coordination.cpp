@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Section 4.2: coordination number and volume.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Section 4.4: mobilised friction, and its relation to the anisotropies.
 
 #include <cmath>

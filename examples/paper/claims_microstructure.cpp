@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Sections 3.4 and 4.1: Rat, movement, bands, force chains, places of breakage.
 
 #include <algorithm>

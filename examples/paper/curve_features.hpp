@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // Single numbers read from the curve of a run. Strains are shares, not per cent.
 

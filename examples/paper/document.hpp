@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // A report as a list of blocks, written as one HTML page or as Markdown with pictures beside it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // The report as Markdown, with its pictures in files.
 
 #include <riprap/output/file.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // What the runs say about a statement: one finding a series and pressure, each with its scatter.
 

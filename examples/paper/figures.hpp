@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // The counterparts of the paper's figures, from charts and from the pictures of the first sample.
 

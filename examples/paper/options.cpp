@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Command line of the study.
 
 #include "options.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // paper: the paper's study: biaxial tests at six pressures with and without breakage, and a report
 
 #include <cstdio>

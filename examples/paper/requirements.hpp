@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // Four outcomes that a repetition of the study has to have, judged by the means of the samples
 // alone.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // Tables of the study as a whole: what it was made of, what came out, and how quietly it ran.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // The runs of a study, read back from their folders: runs/MODE_PRESSURE_SEED/run.json.
 

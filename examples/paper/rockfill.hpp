@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // A study as engineers who build with rock look at it: strength against normal stress beside what
 // is published, breakage, gradings, porosity and stiffness.

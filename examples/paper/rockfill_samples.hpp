@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // What an engineer who builds with rock reads from the runs of a study: strength, breakage,
 // porosity and stiffness of each, and their means over the samples of one pressure.

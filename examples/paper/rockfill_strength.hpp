@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // Strength of the samples and its envelopes, beside the published ones.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // Curve, grading and numbers of a run, as run.json has them.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Particles that never break: no stress analysis in the program.
 
 #include "study_run.hpp"

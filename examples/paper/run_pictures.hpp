@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // An observer that draws what the paper draws of this run (Figs 6, 7, 8, 10, 11, 13).
 

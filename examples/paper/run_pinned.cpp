@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Breakable particles, pinned at two contacts in their stress analysis, as the paper has it.
 
 #include <riprap/stress/support/two_pinned_contacts.hpp>

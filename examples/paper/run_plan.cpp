@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Table 1 and what the paper leaves open: the library's defaults.
 
 #include "run_plan.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // The analysis and the picture of the single-particle example, for a particle out of a run.
 
 #include "run_process.hpp"

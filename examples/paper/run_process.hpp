@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // An observer that catches one break and draws how it came about (Fig. 9).
 

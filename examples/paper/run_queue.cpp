@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Which runs are left, threads that make them, and a line that says how far they are.
 
 #include "run_queue.hpp"

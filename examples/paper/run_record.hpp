@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // An observer that keeps what run.json holds beside the curve.
 

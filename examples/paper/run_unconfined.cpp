@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include "run_unconfined.hpp"
 
 #include "../unconfined/files.hpp"

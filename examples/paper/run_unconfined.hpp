@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // Section 3.2 of the paper: the study of examples/unconfined with the paper's rock.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // What several samples say together: means, their standard errors, and whether a difference is
 // larger than the scatter.

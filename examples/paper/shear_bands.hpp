@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // Where shear localises: the shear strain around each particle, from what it and its neighbours
 // moved, and where the tenth of the particles with the most of it lies.

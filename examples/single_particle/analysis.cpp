@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Mesh, stress, failure, lines, cut: the steps of one check.
 
 #include "analysis.hpp"

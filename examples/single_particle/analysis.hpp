@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // What riprap does with one particle at one check, with everything on the way kept for a picture.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Draws the four panels at one scale.
 
 #include "picture.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // The four panels: mesh and forces, safety factors, failed elements with lines, pieces.
 

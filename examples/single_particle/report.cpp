@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Forces, failure, line and pieces in plain text.
 
 #include "report.hpp"

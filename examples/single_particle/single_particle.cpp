@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // single_particle: one polygon under forces: mesh, safety factors, crack lines, pieces in a picture
 
 #include <cstdio>

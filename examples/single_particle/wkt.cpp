@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Reads a polygon from well-known text with Boost.Geometry.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // What section 3.2 of the paper says of unconfined tests, each with the rule that judges it.
 

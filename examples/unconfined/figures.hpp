@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // The charts: counterparts of Figs 4 and 5 of the paper, and what moves Rat.
 

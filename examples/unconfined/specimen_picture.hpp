@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // The specimen: safety factors, failed elements and the lines through them; counterpart of Fig. 3.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // Rat at failure of one specimen, and what moves it: one parameter after another.
 

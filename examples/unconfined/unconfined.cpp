@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // unconfined: rock specimens between platens: Rat at failure and what moves it, to calibrate RatF
 
 #include <CLI/CLI.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Refuses compilers that cannot compile riprap, in one sentence before any other error: every

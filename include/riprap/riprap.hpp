@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// What a simulation needs: all policies but the optional ones, Model, Simulation, the biaxial test

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/breakage/element_failure.hpp>
 
 #include <doctest/doctest.h>

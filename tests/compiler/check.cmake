@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSL-1.0
 # Compiles main.cpp with a compiler, or a standard, that riprap does not support: the first error must
 # be the sentence of compiler.hpp.
 list(TRANSFORM includes PREPEND -I)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/contact/pair_group.hpp>
 
 #include <doctest/doctest.h>

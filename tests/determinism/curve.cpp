@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // curve [L1]: short biaxial tests with breakage under each of the three boundaries, whose tables
 // must be the same to the last byte whatever the compiler, the level of optimisation and the
 // processor. With L1 [kB], Eigen takes the first-level cache to be of that size, as on another

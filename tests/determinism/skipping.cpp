@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // skipping PARTICLES STRAIN PRESSURE...: biaxial tests at each of the pressures [MPa], three times:
 // as they are, with memory for a part of the operators only, and with a trigger that does not say
 // how many failed elements it needs, so that every particle is evaluated at every step. Breakages

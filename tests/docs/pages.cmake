@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSL-1.0
 # A page shows the program of its example, to the letter but for the line of the licence, between
 # fences; every page of docs/policies has a program and every program a page. The README shows
 # examples/compose likewise, without the line that says what it does.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // The physics of the whole test on full samples: what the literature on dense polygon assemblies
 // and the paper agree on. Means over three samples, because single samples scatter.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/geometry/overlap.hpp>
 
 // Boost keeps boxes that are filled later; inlined, g++ takes them for forgotten.

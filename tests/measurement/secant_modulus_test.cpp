@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/measurement/secant_modulus.hpp>
 
 #include <doctest/doctest.h>

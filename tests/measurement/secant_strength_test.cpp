@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/measurement/secant_strength.hpp>
 
 #include <doctest/doctest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a Boundary must have void drive(std::vector<Body>&, double)
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: enclose of a Boundary must take (const Assembly&, const Particles&)
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a BroadPhase must have double relative_skin
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a BroadPhase with a type Workspace must have template <class Visit> void
 // visit_pairs(std::span<const Box>, Workspace&, Visit&&) const
 #include <riprap/simulation/model.hpp>

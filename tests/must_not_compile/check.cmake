@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSL-1.0
 # Compiles a program and holds what the compiler says against the comment that the program begins
 # with, after the line of the licence. The policy that makes the mistake is called Mine; the compiler must tell so with its error.
 cmake_policy(VERSION 3.21)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: frictionless() of a ContactLaw must be const and return such a law
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

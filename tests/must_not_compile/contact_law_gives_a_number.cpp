@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a ContactLaw must have ContactForce operator()(const ContactGeometry&, const
 // ContactMotion&, History&) const
 #include <riprap/simulation/model.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a ContactLaw must have double stored_energy(const ContactGeometry&, const History&) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

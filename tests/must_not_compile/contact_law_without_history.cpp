@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a ContactLaw must have a type History that can be default-constructed and copied
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a FailureCriterion must have double major_stress_at_failure(double minor) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a FailureCriterion must have double tensile_strength() const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a Damping must have Wrench operator()(const Body&, const Wrench&) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: an Element must have Eigen::Matrix3d mass(const std::array<Vec2, 3>&) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: an Element must have StrainDisplacement strain_displacement(const std::array<Vec2, 3>&)
 // const
 #include <riprap/simulation/model.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: an Execution must have template <class Work> void run(std::size_t tasks, Work&&) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: an Inheritance must have void operator()(const Body& parent, Body& piece) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: an Integrator must have void advance(Body&, const Wrench&, double time_step) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: an Integrator must have static constexpr bool needs_finish
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a LineFit must have std::optional<Line> operator()(std::span<const WeightedPoint>, const
 // FailurePlanes&) const
 #include <riprap/simulation/model.hpp>

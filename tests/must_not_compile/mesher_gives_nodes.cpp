@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a Mesher must have Mesh operator()(Ring) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: clearance of a NarrowPhase must be double clearance(const Memory&) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

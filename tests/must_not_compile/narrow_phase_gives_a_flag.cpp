@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a NarrowPhase must have std::optional<ContactGeometry> operator()(Ring, Ring, Memory&)
 // const
 #include <riprap/simulation/model.hpp>

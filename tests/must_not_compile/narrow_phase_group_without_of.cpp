@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a Group of a NarrowPhase must have a type Of, capacity, size(), clear(), bool add(Ring,
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

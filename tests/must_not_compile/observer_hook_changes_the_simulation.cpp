@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: an observer has a hook that cannot be called with a const reference to what hooks get
 // (docs/policies/observer.md)
 #include <riprap/simulation/simulation.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: an observer of a BiaxialTest must have one of the hooks begin_stage, progress, record,
 // record_break, end_stage, or one of a step (docs/policies/observer.md)
 #include <riprap/experiment/biaxial_test.hpp>

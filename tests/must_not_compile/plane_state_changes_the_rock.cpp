@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a PlaneState must have Eigen::Matrix3d elasticity(const Rock&) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a PlaneState must have double out_of_plane_stress(const Rock&, const Stress2&) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a policy must be copy-constructible, for a Model keeps it by value
 #include <memory>
 #include <riprap/simulation/model.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: validate() of a policy must be const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: the boundary of a BiaxialTest must have void set_rate(double, double), as StrainField,
 // RigidPlatens and PeriodicCell do
 #include <riprap/experiment/biaxial_test.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: the boundary of a BiaxialTest must have region(const Particles&) const with area(),
 // semi_axes(), solid_area() and lost()
 #include <riprap/experiment/biaxial_test.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a Splitter must have std::optional<CutRings> operator()(Ring, const Line&, double
 // mean_area) const
 #include <riprap/simulation/model.hpp>

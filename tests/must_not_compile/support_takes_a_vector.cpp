@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a Support must have void settle(std::span<BoundaryLoad>, const InfluenceOperator&) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a Support must have static constexpr bool needs_flexibility
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: a BreakageTrigger must have bool operator()(const FailureTally&) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

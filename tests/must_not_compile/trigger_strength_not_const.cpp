@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // riprap: strength_factor of a BreakageTrigger must be double strength_factor(ParticleId, double
 // area) const
 #include <riprap/simulation/model.hpp>

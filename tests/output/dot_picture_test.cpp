@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/output/dot_picture.hpp>
 
 #include <doctest/doctest.h>

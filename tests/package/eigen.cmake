@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSL-1.0
 # Configures riprap, and a project that finds an installed riprap under `prefix`, with packages of
 # Eigen that claim other versions than that of the headers they name: 3.3 and later are accepted,
 # whatever the major version; an older one is refused in one sentence.

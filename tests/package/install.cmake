@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSL-1.0
 # Installs riprap as its user would, and then moves it to `prefix`. Clears what the package tests
 # have left there before.
 get_filename_component(folder ${prefix} DIRECTORY)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <curve_features.hpp>
 
 #include <doctest/doctest.h>

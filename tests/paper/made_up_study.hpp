@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Runs that were never made: every number follows a formula, in one world as the paper has it and

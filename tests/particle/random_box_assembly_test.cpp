@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/particle/random_box_assembly.hpp>
 
 #include <doctest/doctest.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSL-1.0
 # A plain configuration without a library that is needed says which option does without it, and the
 # README names all options.
 file(REMOVE_RECURSE ${build})

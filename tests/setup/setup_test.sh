@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSL-1.0
 # Functions of cmake/setup.sh, with an apt-get of the test's own.
 # shellcheck disable=SC2016,SC2317 # variables for another shell; functions that check calls
 set -euo pipefail

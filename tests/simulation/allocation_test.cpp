@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // A warm step does not touch the allocator. Counts every allocation of this executable.
 
 #include <doctest/doctest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/simulation/operator_store.hpp>
 
 #include <doctest/doctest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // A simulation in a periodic cell: the border of the cell is nowhere.
 
 #include <doctest/doctest.h>

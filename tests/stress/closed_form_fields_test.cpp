@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/stress/assemble_and_solve.hpp>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/stress/compact_operator.hpp>
 
 #include <doctest/doctest.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSL-1.0
 # Every header includes compiler.hpp, or another one that does, so that an old compiler stumbles over
 # its sentence before anything else.
 get_filename_component(include ${CMAKE_CURRENT_LIST_DIR}/../../include ABSOLUTE)

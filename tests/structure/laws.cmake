@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSL-1.0
 # Every model that is shipped runs through the laws of its role: tests/laws/ROLE_test.cpp includes
 # its header. A model is a header beside its role's concepts.hpp that asserts the concept, or a
 # choice at run time.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSL-1.0
 # Includes run downwards only: a header may include its own layer and those before it in this list.
 # Outside the layers, compiler.hpp and version.hpp are open to all of them and riprap.hpp to none: it
 # is for users.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSL-1.0
 # Every source file names its licence in its first line, or after the #! of a script.
 cmake_policy(VERSION 3.21)
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)

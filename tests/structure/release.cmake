@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSL-1.0
 # The version and the date of the latest release are the same wherever they are written.
 cmake_policy(VERSION 3.21)
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSL-1.0
 # doctest's Approx(x).epsilon(e) allows e (1 + |x|): of numbers far below 1, lengths in metres for
 # one, it lets anything pass.
 get_filename_component(tests ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)

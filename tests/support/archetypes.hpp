@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Policies that offer what the concept of their role asks for and nothing more: where they get

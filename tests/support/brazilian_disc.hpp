@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// A disc between two opposite point loads: stresses in closed form, to converge to.

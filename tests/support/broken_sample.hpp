@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Two particles moved and split by hand, as an observer of a biaxial test sees them.

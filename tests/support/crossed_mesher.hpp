@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Rectangles in rows and columns, each cell cut by both diagonals: a mesh with the symmetries of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 // A square particle between two platens that approach each other along axis 2.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Comparison of numbers with a tolerance that is stated, in the number's own unit or relative.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Pairs of polygons that overlap, and what narrow phases are asked about them.

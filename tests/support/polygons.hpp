@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Polygons whose properties have a closed form, and the poses to look at them in.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Reads pictures back: a strict reader of the XML that an SVG document is, and where shapes and

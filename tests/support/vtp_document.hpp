@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Reads .vtp files back, strictly: the part of VTK's XML format of polygonal data that has a piece

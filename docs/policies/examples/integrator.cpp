@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/laws/integrator.hpp>
 #include <riprap/simulation/simulation.hpp>
 using namespace riprap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/breakage/trigger/never_breaks.hpp>
 #include <riprap/simulation/simulation.hpp>
 using namespace riprap;

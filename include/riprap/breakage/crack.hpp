@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// From the stress in a particle to the crack through it and the pieces it leaves.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Has an element failed, how, and along which planes: eqs 2, 3 and 6 of the paper.

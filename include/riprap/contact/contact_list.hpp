@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// All pairs near each other, their contacts and the forces in them, kept from step to step.

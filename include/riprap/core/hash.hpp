@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Spreads the bits of small numbers, for marks and for random draws that belong to an id.

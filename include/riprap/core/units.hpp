@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Unit literals (MPa, mm, deg), converted to SI. They give plain numbers: the compiler does not see

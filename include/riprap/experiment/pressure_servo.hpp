@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Holds a normal stress at a pressure by adjusting a strain rate.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Unconfined compression of a specimen of intact rock (section 3.2 of the paper). Not part of

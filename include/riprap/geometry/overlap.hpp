@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// The common part of two convex rings, with a note of which ring each of its edges comes from.

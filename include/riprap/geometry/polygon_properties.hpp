@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Area, centroid, polar inertia, diameter, extent and least width of a ring of vertices.

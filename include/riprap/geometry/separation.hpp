@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Do two convex rings keep apart, and if not, what is the least translation that parts them?

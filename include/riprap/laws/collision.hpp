@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// A collision with rubbing, as a contact law sees it: what the axioms of the law are checked on.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Other units of length, mass and time: what a formula gives must not depend on them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// What comes back from checking the axioms of a role: a sentence for every one that does not hold.

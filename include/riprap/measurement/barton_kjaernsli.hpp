@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Strength of rockfill from the properties of its stones: Barton and Kjaernsli (1981).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// How much finer a sample has become: the indices of Marsal, Hardin, Lade and Einav. All are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// The dimensionless numbers that tell whether a run is quasi-static, stiff and stable.

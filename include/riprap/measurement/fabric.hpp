@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Anisotropy of contact normals, contact forces and branch vectors: eqs 9 to 11 of the paper.

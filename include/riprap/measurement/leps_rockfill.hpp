@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Strength of rockfill in large triaxial tests, as collected by Leps (1970).

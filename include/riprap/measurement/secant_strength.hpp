@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Strength of one test as those who build with rock quote it: the secant friction angle and the

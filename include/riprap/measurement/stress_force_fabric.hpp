@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Strength from fabric: the right-hand sides of eqs 14 and 15, and the full relation with branch

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// A picture of all particles: families of pieces in colours, failed shares as dots.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// The window through which pictures of an assembly look at it: scale, axes, scale bar.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// An axis of a chart: where it ends, and the round numbers that it shows.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Tables as comma-separated values: one header line, SI units, fractions, numbers that read back

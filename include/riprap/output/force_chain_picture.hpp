@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// A picture of the contact forces: lines from centroid to centroid, in classes of normal force.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Classes of normal contact force, as the legend of a picture tells them apart.

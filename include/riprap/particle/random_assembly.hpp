@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// A loose circular assembly of random sharp polygons inside a ring of boundary particles.

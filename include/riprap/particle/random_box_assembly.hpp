@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Loose square assemblies of random sharp polygons: between four platens, or in a periodic cell.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// The simulation: particles, contacts and stress under one model, advanced step by step.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Element stresses the long way: the whole particle assembled and solved. Not part of riprap.hpp:

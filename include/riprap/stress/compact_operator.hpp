@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// The influence operator in single precision, with a bound on its error: what tells particles that

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Element stresses as a linear function of boundary forces, computed once per particle shape.

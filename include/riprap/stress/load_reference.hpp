@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// How far can the stresses in a particle have moved since its loads were last evaluated?

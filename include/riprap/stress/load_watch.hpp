@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// What a particle's loads may do before it has to be looked at again, contact by contact.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// The edges of a meshed particle, for finding places on its boundary without the mesh.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Element stresses of a body whose displacements are prescribed at some nodes. Not part of

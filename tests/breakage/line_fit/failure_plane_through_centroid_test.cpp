@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/breakage/line_fit/failure_plane_through_centroid.hpp>
 
 #include <doctest/doctest.h>

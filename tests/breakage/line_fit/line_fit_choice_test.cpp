@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/breakage/line_fit/line_fit_choice.hpp>
 
 #include <doctest/doctest.h>

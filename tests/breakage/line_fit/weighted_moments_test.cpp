@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/breakage/line_fit/weighted_moments.hpp>
 
 #include <cmath>

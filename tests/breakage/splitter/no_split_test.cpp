@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/breakage/splitter/no_split.hpp>
 
 #include <doctest/doctest.h>

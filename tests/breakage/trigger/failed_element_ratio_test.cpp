@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/breakage/trigger/failed_element_ratio.hpp>
 
 #include <doctest/doctest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/contact/law/contact_law_choice.hpp>
 
 #include <doctest/doctest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/contact/narrow_phase/contact_line.hpp>
 
 #include <doctest/doctest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/dynamics/boundary/periodic_cell.hpp>
 
 #include <doctest/doctest.h>

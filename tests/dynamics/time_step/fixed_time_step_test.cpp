@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/dynamics/time_step/fixed_time_step.hpp>
 
 #include <doctest/doctest.h>

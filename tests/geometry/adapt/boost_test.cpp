@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/geometry/adapt/boost.hpp>
 
 // Boost 1.74 would round coordinates to a grid first; later versions never do.

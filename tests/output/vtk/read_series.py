@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSL-1.0
 """Opens a series of riprap's in VTK, by the reader that ParaView uses, and compares all of it with
 the numbers that the simulation wrote beside it: read_series.py FOLDER"""
 

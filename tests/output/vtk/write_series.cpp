@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // Writes a series for ParaView of a sample that is being crushed, and beside it the same numbers as
 // plain text, straight from the simulation: what a reader has to find.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 // A user's program: a loose sample is squeezed until particles touch, and a criterion of the user's
 // own looks at them. The argument is the version of riprap that is expected.
 #include <riprap/riprap.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/stress/element/constant_strain_triangle.hpp>
 
 #include <Eigen/LU>

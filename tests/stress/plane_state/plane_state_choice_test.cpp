@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/stress/plane_state/plane_state_choice.hpp>
 
 #include <doctest/doctest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #include <riprap/stress/support/inertia_relief.hpp>
 
 #include <doctest/doctest.h>

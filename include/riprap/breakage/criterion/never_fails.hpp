@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Nothing ever fails: riprap as a plain polygon DEM, without any stress analysis.

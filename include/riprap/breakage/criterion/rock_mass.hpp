@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// The Hoek-Brown criterion of a rock mass, from its Geological Strength Index.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Pieces start at rest. The file to copy for an inheritance of your own.

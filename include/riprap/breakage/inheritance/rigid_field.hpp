@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Pieces go on as parts of the rigid body they came from: the default inheritance.

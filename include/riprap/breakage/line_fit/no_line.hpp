@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Never a line: failed particles stay whole. The file to copy for a line fit of your own.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Weighted least squares of distances across the line: turns with the particle, unlike X and Y.

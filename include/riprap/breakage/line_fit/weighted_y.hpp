@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Weighted least squares of vertical distances: the Y method of the paper, eqs 4 and 5.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// The role of the splitter: from a ring and a line to two rings, or a refusal.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// A particle breaks when the share of failed elements reaches RatF: the default trigger.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Elements may fail, particles never break: for watching Rat alone. The file to copy for a trigger

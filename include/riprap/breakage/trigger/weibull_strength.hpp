@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Failed-element ratio with a random strength for every particle: larger ones are weaker.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Compares every box with every other: the oracle that other broad phases are tested against.

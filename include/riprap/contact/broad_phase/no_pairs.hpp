@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Nobody is near anybody. The file to copy for a broad phase of your own.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Broad phase on the R-tree of Boost.Geometry, for bodies of very different sizes. Optional:

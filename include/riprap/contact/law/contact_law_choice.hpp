@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// A contact law chosen at run time: one more model of the role, for programs with options.

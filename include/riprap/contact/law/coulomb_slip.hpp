@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// A tangential spring cut by Coulomb friction: the part that contact laws have in common.

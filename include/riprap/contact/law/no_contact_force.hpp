@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Contacts without force: bodies pass through each other. The file to copy for a law of your own.

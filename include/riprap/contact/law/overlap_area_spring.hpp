@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// A contact law whose normal force comes from an energy of the overlap area: exactly conservative.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Nobody ever touches. The file to copy for a narrow phase of your own.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Several threads at once, by OpenMP. Not part of riprap.hpp: compile and link with -fopenmp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// The region inside the ring of boundary particles: its area, how much of it is rock, and who has

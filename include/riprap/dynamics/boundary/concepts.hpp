@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// The role of the boundary: what moves the bodies that do not obey Newton's law.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// No driven boundary: fixed and prescribed bodies keep the velocities they were given.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// No boundary at all: a cell that repeats itself and is strained as a whole.

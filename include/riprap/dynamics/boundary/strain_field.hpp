@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Boundary particles that follow a homogeneous strain-rate field: the default.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// The role of damping: what takes energy out of a moving body beside its contacts.

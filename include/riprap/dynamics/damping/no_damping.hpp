@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// No damping: energy leaves through contacts only. The file to copy for a damping of your own.

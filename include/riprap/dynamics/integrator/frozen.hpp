@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Free bodies stay where they are. The file to copy for an integrator of your own.

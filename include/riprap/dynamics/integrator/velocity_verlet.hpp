@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Velocity Verlet: positions and velocities at the same instants, second order in both.

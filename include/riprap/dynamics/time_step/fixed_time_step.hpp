@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// A time step that is given, with true masses everywhere. The file to copy for a rule of your own.

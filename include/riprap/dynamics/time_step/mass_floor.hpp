@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Constant time step from the smallest intact particle; lighter pieces move as if they had its

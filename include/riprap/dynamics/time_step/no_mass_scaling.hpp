@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// True masses everywhere: the time step is chosen for the lightest piece that may come.

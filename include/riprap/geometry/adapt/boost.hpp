@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Lets Boost.Geometry see riprap's points and polygons in place, without a copy.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Triangles that fan out from the centroid. The file to copy for a mesher of your own.

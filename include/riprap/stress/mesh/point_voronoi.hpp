@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// The Voronoi diagram of points by Boost.Polygon, without the segments that it also knows.

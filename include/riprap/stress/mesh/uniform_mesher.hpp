@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Near-uniform Delaunay triangles for any convex polygon: the default mesher.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// Plane stress: free faces. The default, for particles about as thick as they are wide.

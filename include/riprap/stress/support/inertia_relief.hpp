@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
 /// The particle flies free, its inertia balances what the contacts leave over: the default.
