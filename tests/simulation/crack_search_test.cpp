@@ -221,8 +221,7 @@ TEST_CASE("loads that are not finite are an error that names the particle, not a
     Simulation sim{model, crushed, Rock{}};
     sim.step();
     sim.contact_law().broken = true;
-    CHECK_THROWS_WITH_AS(sim.step(), doctest::Contains("particle 0: "),
-                         SimulationError);
+    CHECK_THROWS_WITH_AS(sim.step(), doctest::Contains("particle 0: "), SimulationError);
   };
   const HoekBrown strong{.compressive_strength = 1e13};
   const auto model = Model{}.boundary(NoBoundary{}).contact(NoForce{}).criterion(strong);

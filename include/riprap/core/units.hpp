@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Unit literals (MPa, mm, deg), converted to SI. They give plain numbers: the compiler does not see
-/// a length where a stress belongs.
+/// Unit literals (MPa, mm, deg), converted to SI. They give plain numbers: the compiler does not
+/// see a length where a stress belongs.
 
 #include <numbers>
 
