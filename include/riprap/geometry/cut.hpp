@@ -41,6 +41,7 @@ namespace internal {
                                                         double snap) {
   const std::size_t n = distances.size();
   std::vector<signed char> sides;
+  sides.reserve(n);
   for (const double d : distances)
     sides.push_back(static_cast<signed char>(std::abs(d) <= snap ? 0 : d > 0 ? 1 : -1));
   std::size_t first = 0;
@@ -100,11 +101,14 @@ namespace internal {
 /// The parts of a convex ring as `cut` has them, whatever round-off does to their areas.
 [[nodiscard]] inline std::optional<CutRings> divide(Ring ring, const Line& line, double snap) {
   std::vector<double> distances;
+  distances.reserve(ring.size());
   for (const Vec2& v : ring) distances.push_back(line.left_distance(v));
   const std::vector<signed char> sides = cut_sides(distances, snap);
   if (sides.empty()) return std::nullopt;
   const double negligible = 4e-13 * polygon_area(ring);
   CutRings parts;
+  parts.left.reserve(ring.size() + 1);
+  parts.right.reserve(ring.size() + 1);
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (sides[i] >= 0) parts.left.push_back(ring[i]);
     if (sides[i] <= 0) parts.right.push_back(ring[i]);

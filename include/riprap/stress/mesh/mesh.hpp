@@ -75,35 +75,44 @@ struct Mesh {
   }
 };
 
-[[gnu::cold]] inline void Mesh::validate() const {
-  const auto name = [](const char* what, std::size_t number) {
-    return std::string("Mesh: ") + what + " " + std::to_string(number);
-  };
-  const auto count = [](std::size_t number) { return static_cast<double>(number); };
+namespace internal {
+
+[[noreturn, gnu::cold]] inline void throw_invalid_mesh(const char* what, std::size_t number,
+                                                       const char* part, double value,
+                                                       const char* rule) {
+  throw_invalid(std::string("Mesh: ") + what + " " + std::to_string(number) + part, value, rule);
+}
+
+}  // namespace internal
+
+inline void Mesh::validate() const {
+  using internal::throw_invalid_mesh;
   require(!triangles.empty(), "Mesh: number of triangles", 0, "must be 1 or more");
   require(boundary_nodes <= nodes.size(), "Mesh.boundary_nodes", boundary_nodes,
           "must not be above the number of nodes");
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    require(is_finite(nodes[i]), name("node", i), nodes[i].x() + nodes[i].y(), "must be finite");
+    if (!is_finite(nodes[i]))
+      throw_invalid_mesh("node", i, "", nodes[i].x() + nodes[i].y(), "must be finite");
   for (std::size_t k = 0; k < corners.size(); ++k)
-    require(corners[k] < boundary_nodes && (k == 0 || corners[k] > corners[k - 1]),
-            name("corner", k), corners[k], "must be a boundary node, in rising order");
+    if (corners[k] >= boundary_nodes || (k > 0 && corners[k] <= corners[k - 1]))
+      throw_invalid_mesh("corner", k, "", corners[k], "must be a boundary node, in rising order");
   std::vector<bool> used(nodes.size(), false);
   for (std::size_t e = 0; e < triangles.size(); ++e) {
-    double squared = 0;  // longest edge
-    for (const std::uint32_t node : triangles[e])
-      require(node < nodes.size(), name("triangle", e) + ": node", count(node),
-              "must be in the mesh");
     for (const std::uint32_t node : triangles[e]) {
+      if (node >= nodes.size())
+        throw_invalid_mesh("triangle", e, ": node", node, "must be in the mesh");
       used[node] = true;
-      squared = std::max(squared, (nodes[node] - nodes[triangles[e][0]]).squaredNorm());
     }
-    require(area(e) > 1e-12 * squared, name("triangle", e) + ": area [m^2]", area(e),
-            "must be above 0 (counter-clockwise, not flat)");
+    const auto [p, q, r] = triangle(e);
+    const double squared =
+        std::max({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()});
+    if (!(area(e) > 1e-12 * squared))
+      throw_invalid_mesh("triangle", e, ": area [m^2]", area(e),
+                         "must be above 0 (counter-clockwise, not flat)");
   }
   const auto unused = std::find(used.begin(), used.end(), false);
   if (unused != used.end())
-    throw InvalidInput(name("node", static_cast<std::size_t>(unused - used.begin())) +
+    throw InvalidInput("Mesh: node " + std::to_string(unused - used.begin()) +
                        ": must be part of a triangle");
 }
 
