@@ -153,7 +153,8 @@ TEST_CASE("a folder is made with those above it; one that cannot be made says wh
   CHECK_NOTHROW(make_folder(folder / "a" / "b"));
   const std::string file = (folder / "file").string();
   write_file(file, "text");
-  CHECK(refusal([&] { make_folder(file); }) == "cannot make the folder " + file + ": Not a directory");
+  CHECK(refusal([&] { make_folder(file); }) ==
+        "cannot make the folder " + file + ": Not a directory");
   CHECK(refusal([&] { make_folder(file + "/b"); }) ==
         "cannot make the folder " + file + "/b: Not a directory");
   fs::remove_all(folder);

@@ -167,6 +167,38 @@ TEST_CASE("in a biaxial test each record is a state, at the axial strain") {
   CHECK(sets[1].number("timestep") == 0.125);
 }
 
+TEST_CASE("a new series removes the files of the one before, and nothing else") {
+  const test::Cross cross;
+  const Simulation sim{Model{}, cross.assembly(), Rock{}};
+  const TemporaryFolder folder;
+  {
+    ParaViewSeries longer(folder.path);
+    for (int i = 0; i < 3; ++i) longer.write(sim, i);
+  }
+  const std::set<std::string> others{"particles_01.vtp",    "particles_00001.vtp.bak",
+                                     "contacts_000x.vtp",   "my_particles_0000.vtp",
+                                     "particles_0000.vtps", "view.pvsm"};
+  for (const std::string& name : others) write_file((folder.path / name).string(), "mine");
+  write_file((folder.path / "contacts_12345.vtp").string(), "of a longer series");
+  ParaViewSeries shorter(folder.path);
+  CHECK(names_in(folder.path).size() == 9 + others.size());
+  shorter.write(sim, 0);
+  std::set<std::string> expected{"contacts.pvd", "contacts_0000.vtp", "particles.pvd",
+                                 "particles_0000.vtp"};
+  expected.insert(others.begin(), others.end());
+  CHECK(names_in(folder.path) == expected);
+}
+
+TEST_CASE("a removed series leaves no empty folder, and no folder is no mistake") {
+  const test::Cross cross;
+  const Simulation sim{Model{}, cross.assembly(), Rock{}};
+  const TemporaryFolder folder;
+  CHECK_NOTHROW(ParaViewSeries::remove(folder.path));
+  ParaViewSeries(folder.path).write(sim, 0);
+  ParaViewSeries::remove(folder.path);
+  CHECK(!std::filesystem::exists(folder.path));
+}
+
 TEST_CASE("a folder that cannot be made is an error that names the file") {
   const test::TemporaryFile file;
   write_file(file.path(), "no folder");

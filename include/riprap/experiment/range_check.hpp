@@ -68,7 +68,7 @@ class RangeCheck {
 
   template <class Sim>
   void end_stage(const BiaxialView<Sim>& view) {
-    if (!view.reached_target)
+    if (!view.reached_target && !view.interrupted)
       warnings_.push_back(std::string(to_text(view.stage)) +
                           ": ended at its cap of steps, target not reached");
   }

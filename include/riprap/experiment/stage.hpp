@@ -2,6 +2,8 @@
 /// @file
 /// The stages of a biaxial test and what an observer sees of them.
 
+#include <concepts>
+
 #include <riprap/core/vec2.hpp>
 #include <riprap/simulation/observer.hpp>
 
@@ -29,8 +31,9 @@ template <class Sim>
 struct BiaxialView {
   const Sim& sim;
   Stage stage = Stage::compaction;
-  double done = 0;                ///< rough share of the stage that is done, in [0, 1]
-  bool reached_target = false;    ///< at end_stage; false: the cap on its steps ended the stage
+  double done = 0;              ///< rough share of the stage that is done, in [0, 1]
+  bool reached_target = false;  ///< at end_stage; false: the cap on its steps, or a stop, ended it
+  bool interrupted = false;     ///< an observer's stop_requested ended the test
   double confining_pressure = 0;  ///< [Pa]
   double mean_diameter = 0;       ///< of the circles of equal area, intact particles [m]
   Vec2 stretch{1, 1};             ///< extent over that at the start of the stage, axes 1 and 2
@@ -83,7 +86,22 @@ inline constexpr auto record_break = []<class O, class View>(O& observer, const 
                   requires(View& other) { observer.record_break(other, event); }>();
 };
 
-/// A stage has ended; `view.reached_target` says how.
+/// After every step: whether the observer wants the test to end here.
+inline constexpr auto stop_requested = []<class O, class View>(O& observer, const View& view) {
+  if constexpr (requires { observer.stop_requested(view); }) {
+    constexpr bool answers = requires {
+      { observer.stop_requested(view) } -> std::convertible_to<bool>;
+    };
+    static_assert(answers, "riprap: stop_requested of an observer must give back a bool");
+    if constexpr (answers) return static_cast<bool>(observer.stop_requested(view));
+  } else {
+    check_no_hook<O, requires { requires IsFunction<&O::stop_requested>; },
+                  requires(View& other) { observer.stop_requested(other); }>();
+  }
+  return false;
+};
+
+/// A stage has ended; `view.reached_target` and `view.interrupted` say how.
 inline constexpr auto end_stage = []<class O, class View>(O& observer, const View& view) {
   if constexpr (requires { observer.end_stage(view); })
     observer.end_stage(view);
