@@ -21,9 +21,10 @@ inline std::filesystem::path paraview_folder(const std::filesystem::path& folder
 // would be taken for its own.
 inline void remove_results(const std::filesystem::path& folder) {
   std::error_code ignored;  // what cannot be removed shows when it is written
-  for (const char* name : result_files)
-    if (!std::filesystem::is_directory(folder / name, ignored))
-      std::filesystem::remove(folder / name, ignored);
+  for (const std::string name : result_files)
+    for (const std::string& file : {name, name + ".part"})  // of a run that was killed
+      if (!std::filesystem::is_directory(folder / file, ignored))
+        std::filesystem::remove(folder / file, ignored);
   riprap::ParaViewSeries::remove(paraview_folder(folder));
 }
 

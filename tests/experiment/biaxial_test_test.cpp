@@ -289,6 +289,13 @@ struct StopAt {
   }
 };
 
+struct StopAtEnd {
+  template <class Sim>
+  bool stop_requested(const BiaxialView<Sim>& view) const {
+    return view.stage == Stage::shear && view.axial_strain() >= 0.001;
+  }
+};
+
 }  // namespace
 
 TEST_CASE("a stop that an observer requests ends the test at the end of the step") {
@@ -319,6 +326,14 @@ TEST_CASE("a stop that an observer requests ends the test at the end of the step
     for (const std::string& warning : check.warnings())
       CHECK(warning.find("cap of steps") == std::string::npos);
   }
+}
+
+TEST_CASE("a stop with the last step finds the test finished") {
+  Simulation sim{Model{}, small_assembly(), Rock{}};
+  const BiaxialResult result =
+      BiaxialTest{.confining_pressure = 8e6, .axial_strain = 0.001}.run(sim, StopAtEnd{});
+  CHECK(!result.interrupted);
+  CHECK(result.stage(Stage::shear).reached_target);
 }
 
 TEST_CASE("an observer that requests no stop changes nothing, byte for byte") {

@@ -179,9 +179,10 @@ TEST_CASE("a new series removes the files of the one before, and nothing else") 
                                      "contacts_000x.vtp",   "my_particles_0000.vtp",
                                      "particles_0000.vtps", "view.pvsm"};
   for (const std::string& name : others) write_file((folder.path / name).string(), "mine");
-  write_file((folder.path / "contacts_12345.vtp").string(), "of a longer series");
+  for (const char* name : {"contacts_12345.vtp", "particles_0003.vtp.part"})
+    write_file((folder.path / name).string(), "of an earlier series");
   ParaViewSeries shorter(folder.path);
-  CHECK(names_in(folder.path).size() == 9 + others.size());
+  CHECK(names_in(folder.path).size() == 10 + others.size());
   shorter.write(sim, 0);
   std::set<std::string> expected{"contacts.pvd", "contacts_0000.vtp", "particles.pvd",
                                  "particles_0000.vtp"};

@@ -56,7 +56,8 @@ class BiaxialRun {
     }
     stage(Stage::hydrostatic, [&] { return pressurise(); });
     stage(Stage::shear, [&] { return shear(); });
-    result_.interrupted = view_.interrupted;
+    // Not if the stop came with the last step.
+    result_.interrupted = view_.interrupted && !outcome(Stage::shear).reached_target;
     return result_;
   }
 

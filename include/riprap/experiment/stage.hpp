@@ -86,18 +86,21 @@ inline constexpr auto record_break = []<class O, class View>(O& observer, const 
                   requires(View& other) { observer.record_break(other, event); }>();
 };
 
-/// After every step: whether the observer wants the test to end here.
+template <class O, class View>
+concept StopRequest = requires(O& observer, const View& view) {
+  { observer.stop_requested(view) } -> std::convertible_to<bool>;
+};
+
+/// After every step; true ends the test here.
 inline constexpr auto stop_requested = []<class O, class View>(O& observer, const View& view) {
-  if constexpr (requires { observer.stop_requested(view); }) {
-    constexpr bool answers = requires {
-      { observer.stop_requested(view) } -> std::convertible_to<bool>;
-    };
-    static_assert(answers, "riprap: stop_requested of an observer must give back a bool");
-    if constexpr (answers) return static_cast<bool>(observer.stop_requested(view));
-  } else {
+  if constexpr (StopRequest<O, View>)
+    return static_cast<bool>(observer.stop_requested(view));
+  else if constexpr (requires { observer.stop_requested(view); })
+    static_assert(StopRequest<O, View>,
+                  "riprap: stop_requested of an observer must give back a bool");
+  else
     check_no_hook<O, requires { requires IsFunction<&O::stop_requested>; },
                   requires(View& other) { observer.stop_requested(other); }>();
-  }
   return false;
 };
 

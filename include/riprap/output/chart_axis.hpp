@@ -112,26 +112,29 @@ class ChartAxis {
   static constexpr double largest = 1e300;
   static constexpr std::size_t longest_label = 16;  // characters
 
-  // As many decimals as the tick needs; six digits where that would be a long number.
+  // As many decimals as the tick needs.
   [[nodiscard]] static std::string fixed_text(double value, double tick) {
     const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(tick) - 1e-9)));
     if (std::abs(value) < 1e-6 * tick) value = 0;
     char buffer[longest_label];
-    const auto fixed =
-        std::to_chars(buffer, buffer + longest_label, value, std::chars_format::fixed, decimals);
-    if (fixed.ec == std::errc()) return {buffer, fixed.ptr};
     const auto end =
-        std::to_chars(buffer, buffer + longest_label, value, std::chars_format::general, 6).ptr;
-    return {buffer, end};
+        std::to_chars(buffer, buffer + longest_label, value, std::chars_format::fixed, decimals);
+    return end.ec == std::errc() ? std::string(buffer, end.ptr) : short_text(value);
   }
 
-  // The shortest decimals that read back as the value, with an exponent where they are many.
+  // The shortest decimals that read back as the value.
   [[nodiscard]] static std::string plain_text(double value) {
     char buffer[longest_label];
-    const auto fixed =
-        std::to_chars(buffer, buffer + longest_label, value, std::chars_format::fixed);
-    if (fixed.ec == std::errc()) return {buffer, fixed.ptr};
-    return {buffer, std::to_chars(buffer, buffer + longest_label, value).ptr};
+    const auto end = std::to_chars(buffer, buffer + longest_label, value, std::chars_format::fixed);
+    return end.ec == std::errc() ? std::string(buffer, end.ptr) : short_text(value);
+  }
+
+  // Six digits and an exponent, for numbers that would be long.
+  [[nodiscard]] static std::string short_text(double value) {
+    char buffer[longest_label];
+    const auto end =
+        std::to_chars(buffer, buffer + longest_label, value, std::chars_format::general, 6);
+    return {buffer, end.ptr};
   }
 
   AxisScale scale_ = AxisScale::linear;

@@ -120,8 +120,9 @@ class ParaViewSeries {
   }
 
  private:
-  // "particles_0123.vtp", "contacts.pvd" and the like.
+  // "particles_0123.vtp", "contacts.pvd" and the like, or what a killed program left of one.
   [[nodiscard]] static bool is_of_series(std::string_view name) {
+    if (name.ends_with(".part")) name.remove_suffix(5);
     for (const std::string_view kind : {"particles", "contacts"}) {
       if (!name.starts_with(kind)) continue;
       const std::string_view rest = name.substr(kind.size());
