@@ -1,31 +1,26 @@
 // SPDX-License-Identifier: BSL-1.0
 // biaxial: a biaxial test on breakable polygons, with curves and pictures at the end
 
-#include <cstdio>
-#include <exception>
-
+#include "../command_line/program.hpp"
 #include "options.hpp"
+#include "runs.hpp"
+
+namespace {
+
+Outcome run_chosen(const Options& options) {
+  if (options.boundary == "platens") return run_choices_platens(options);
+  if (options.boundary == "periodic") return run_choices_periodic(options);
+  if (!options.compiled_in()) return run_choices_particles(options);
+  if (options.timer) return run_timed(options);
+  if (options.breakage == "on") return run_with_inertia_relief(options);
+  return run_without_breakage(options);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   const Options options = read_options(argc, argv);
-  try {
-    if (options.boundary == "platens")
-      run_choices_platens(options);
-    else if (options.boundary == "periodic")
-      run_choices_periodic(options);
-    else if (!options.compiled_in())
-      run_choices_particles(options);
-    else if (options.timer)
-      run_timed(options);
-    else if (options.breakage)
-      run_with_inertia_relief(options);
-    else
-      run_without_breakage(options);
-  } catch (const riprap::InvalidInput& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
+  return command_line::run_program(options.names, [&] {
+    return run_chosen(options) == Outcome::finished ? command_line::finished : command_line::failed;
+  });
 }

@@ -2,30 +2,39 @@
 #pragma once
 // One biaxial test with any model, and everything it leaves in the output folder.
 
+#include <exception>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <riprap/output/assembly_picture.hpp>
 #include <riprap/output/curve_charts.hpp>
+#include <riprap/output/curve_files.hpp>
 #include <riprap/output/displacement_picture.hpp>
 #include <riprap/output/force_chain_picture.hpp>
 #include <riprap/output/paraview.hpp>
 
-#include "options.hpp"
+#include "../command_line/stop_signal.hpp"
+#include "policies.hpp"
+#include "result_files.hpp"
+#include "runs.hpp"
 #include "summary.hpp"
 
 // What all programs share.
 inline auto breakable_model(const Options& o) {
   return riprap::Model{}
+      .broad_phase(o.broad_phase)
+      .contact(o.linear)
+      .damping(o.damping)
+      .time_step(o.time_step)
       .criterion(chosen_criterion(o))
       .line_fit(chosen_line_fit(o))
       .plane_state(chosen_plane(o))
-      .mesher(riprap::UniformMesher{.triangles = o.mesh_triangles})
-      .trigger(riprap::FailedElementRatio{.critical = o.ratf})
-      .splitter(riprap::StraightCut{.minimum_area = o.minimum_piece_area,
-                                    .maximum_aspect = o.maximum_piece_aspect})
+      .mesher(o.mesher)
+      .trigger(o.trigger)
+      .splitter(o.splitter)
       .check_every(o.check_every)
-      .execution(AnyExecution{o.threads});
+      .execution(AnyExecution{static_cast<int>(o.threads)});
 }
 
 // The same with a choice of contact law, integrator and support.
@@ -38,13 +47,13 @@ inline auto model_of_choices(const Options& o) {
 
 // The assembly that goes with a boundary.
 inline riprap::Assembly assembly_for(const riprap::StrainField&, const Options& o) {
-  return riprap::random_assembly(chosen_assembly(o));
+  return riprap::random_assembly(o.assembly);
 }
 inline riprap::Assembly assembly_for(const riprap::RigidPlatens&, const Options& o) {
-  return riprap::random_platen_assembly(chosen_assembly(o));
+  return riprap::random_platen_assembly(o.assembly);
 }
 inline riprap::Assembly assembly_for(const riprap::PeriodicCell&, const Options& o) {
-  return riprap::random_periodic_assembly(chosen_assembly(o));
+  return riprap::random_periodic_assembly(o.assembly);
 }
 
 // An observer that draws the assembly and its forces at the start and the end of shear, and the
@@ -110,35 +119,57 @@ struct OptionalSeries {
   }
 };
 
-template <class ModelType, class... Observers>
-void run(const Options& o, ModelType model, Observers&... observers) {
-  using namespace riprap;
+// What was recorded is in the tables already; a chart of it must not hide why the run failed.
+inline void save_charts(const riprap::Curve& curve, const std::filesystem::path& folder) {
+  if (!curve.points().empty())
+    riprap::chart_sheet(riprap::curve_charts(curve)).save(folder / "curves.svg");
+}
+
+template <class Sim>
+void keep_failed_run(const Options& o, const Sim& sim, const riprap::Curve& curve,
+                     const std::vector<std::string>& warnings, const std::string& error) {
   const std::filesystem::path folder = o.out;
-  std::filesystem::create_directories(folder);
+  try {
+    riprap::write_file(folder / "summary.json",
+                       failure_summary(o, sim, warnings, error).dump(2) + "\n");
+    save_charts(curve, folder);
+  } catch (const std::exception&) {
+    return;
+  }
+}
+
+template <class ModelType, class... Observers>
+Outcome run(const Options& o, ModelType model, Observers&... observers) {
+  using namespace riprap;
+  const command_line::StopOnSignal stop;
   const Assembly assembly = assembly_for(model.motion_model.boundary, o);
-  Simulation sim{std::move(model), assembly, Rock{}};
-  sim.set_breakage(o.breakage);
-  const BiaxialTest test{.confining_pressure = o.pressure,
-                         .axial_strain = o.strain,
-                         .inertial_number = o.inertial_number};
+  Simulation sim{std::move(model), assembly, o.rock};
+  sim.set_breakage(o.breakage == "on");
+  o.test.validate();
+
+  // Everything in the command is right: what stood in the folder may go.
+  const std::filesystem::path folder = o.out;
+  make_folder(folder);
+  remove_results(folder);
+  write_file(folder / "parameters.toml", o.toml);
   Curve curve;
+  CurveFiles tables{curve, folder};
+  OptionalSeries series{o.paraview, ParaViewSeries{paraview_folder(folder)}};
   Progress progress;
-  OptionalSeries series{o.paraview, ParaViewSeries{folder / "paraview"}};
-  const auto write_records = [&] {
-    write_csv(folder / "curve.csv", curve);
-    write_file(folder / "energy.csv", energy_csv(curve));
-    write_file(folder / "breakages.csv", breakages_csv(curve));
-    if (!curve.points().empty()) chart_sheet(curve_charts(curve)).save(folder / "curves.svg");
-  };
   BiaxialResult result;
   try {
-    result = test.run(sim, curve, Pictures{folder}, series, progress, observers...);
-  } catch (...) {
-    write_records();  // what was computed is kept
-    throw;
+    result = o.test.run(sim, curve, tables, series, Pictures{folder}, progress, stop, observers...);
+  } catch (const std::exception& error) {
+    keep_failed_run(o, sim, curve, progress.warnings(), error.what());
+    // Whatever the kind of error: the command was right, and the run failed.
+    throw SimulationError(error.what());
   }
-  write_records();
+  if (!curve.points().empty())
+    progress.check().check_energy(curve.points().back().energy, curve.points().back().axial_strain);
   write_file(folder / "summary.json",
-             summary(o, sim, test, result, curve, progress.warnings()).dump(2) + "\n");
-  print_summary(o, sim, curve, folder.string());
+             summary(o, sim, result, curve, progress.check()).dump(2) + "\n");
+  save_charts(curve, folder);
+  print_summary(o, sim, result, curve);
+  print_checks(progress.check().table());
+  return result.interrupted ? Outcome::interrupted : Outcome::finished;
 }

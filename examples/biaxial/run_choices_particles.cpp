@@ -3,6 +3,6 @@
 
 #include "run.hpp"
 
-void run_choices_particles(const Options& options) {
-  run(options, model_of_choices(options).boundary(riprap::StrainField{}));
+Outcome run_choices_particles(const Options& options) {
+  return run(options, model_of_choices(options).boundary(riprap::StrainField{}));
 }

@@ -3,6 +3,6 @@
 
 #include "run.hpp"
 
-void run_choices_periodic(const Options& options) {
-  run(options, model_of_choices(options).boundary(riprap::PeriodicCell{}));
+Outcome run_choices_periodic(const Options& options) {
+  return run(options, model_of_choices(options).boundary(riprap::PeriodicCell{}));
 }

@@ -3,4 +3,6 @@
 
 #include "run.hpp"
 
-void run_with_inertia_relief(const Options& options) { run(options, breakable_model(options)); }
+Outcome run_with_inertia_relief(const Options& options) {
+  return run(options, breakable_model(options));
+}

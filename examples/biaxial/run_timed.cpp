@@ -5,8 +5,9 @@
 
 #include "run.hpp"
 
-void run_timed(const Options& options) {
+Outcome run_timed(const Options& options) {
   riprap::StepTimer timer;
-  run(options, breakable_model(options), timer);
+  const Outcome outcome = run(options, breakable_model(options), timer);
   timer.print();
+  return outcome;
 }

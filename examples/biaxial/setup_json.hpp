@@ -32,5 +32,6 @@ inline nlohmann::ordered_json test_json(const riprap::BiaxialTest& t) {
           {"rest_unbalanced_force", t.rest_unbalanced_force},
           {"hydrostatic_tolerance", t.hydrostatic_tolerance},
           {"hydrostatic_unbalanced_force", t.hydrostatic_unbalanced_force},
+          {"confinement_tolerance", t.confinement_tolerance},
           {"most_steps", t.most_steps}};
 }

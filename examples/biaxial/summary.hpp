@@ -11,7 +11,8 @@
 #include <vector>
 
 #include "grading_json.hpp"
-#include "options.hpp"
+#include "policies.hpp"
+#include "result_files.hpp"
 #include "setup_json.hpp"
 
 // Keeps the order in which things are written.
@@ -97,12 +98,12 @@ inline Json contact_json(const AnyContact& law) {
 
 // Every parameter, read from what was run.
 template <class Sim>
-Json parameters_json(const Options& o, const Sim& sim, const riprap::BiaxialTest& test) {
+Json parameters_json(const Options& o, const Sim& sim) {
   const auto& motion = sim.model().motion_model;
   Json contact = contact_json(sim.contacts().law());
   contact["relative_skin"] = sim.model().contact_model.broad_phase.relative_skin;
-  Json j = {{"assembly", assembly_json(chosen_assembly(o))},
-            {"test", test_json(test)},
+  Json j = {{"assembly", assembly_json(o.assembly)},
+            {"test", test_json(o.test)},
             {"rock",
              {{"density_kg_m3", sim.rock().density},
               {"young_Pa", sim.rock().young},
@@ -116,7 +117,7 @@ Json parameters_json(const Options& o, const Sim& sim, const riprap::BiaxialTest
               {"time_step_s", sim.time_step()}}}};
   j["breakage"] = "off";
   if constexpr (Sim::breakable) {
-    if (!o.breakage) return j;
+    if (o.breakage == "off") return j;
     const auto& stress = sim.model().stress_model;
     const auto& breakage = sim.model().breakage_model;
     j["stress"] = {
@@ -127,6 +128,7 @@ Json parameters_json(const Options& o, const Sim& sim, const riprap::BiaxialTest
                      {"line_fit", o.line_fit},
                      {"minimum_piece_area", breakage.splitter.minimum_area},
                      {"maximum_piece_aspect", breakage.splitter.maximum_aspect},
+                     {"maximum_pieces", breakage.splitter.maximum_pieces},
                      {"check_every", breakage.check_every}};
   }
   return j;
@@ -159,9 +161,10 @@ Json numbers_json(const Options& o, const Sim& sim, const riprap::BiaxialResult&
     full_gap += std::abs(p.sin_phi_fabric_full() - p.sin_phi()) / count;
   }
   Json j = {
-      {"kappa", riprap::stiffness_level(o.pressure, o.thickness, law.peak_stiffness())},
+      {"kappa", riprap::stiffness_level(o.test.confining_pressure, o.assembly.thickness,
+                                        law.peak_stiffness())},
       {"pressure_over_compressive_strength",
-       o.pressure / chosen_criterion(o).major_stress_at_failure(0)},
+       o.test.confining_pressure / chosen_criterion(o).major_stress_at_failure(0)},
       {"time_step_over_sqrt_m_k",
        riprap::time_step_ratio(sim.time_step(), sim.particles(), law.peak_stiffness())},
       {"axial_rate_1_s", result.axial_rate},
@@ -191,10 +194,7 @@ inline Json grading_json(const riprap::Particles& particles) {
   return j;
 }
 
-template <class Sim>
-Json summary(const Options& o, const Sim& sim, const riprap::BiaxialTest& test,
-             const riprap::BiaxialResult& result, const riprap::Curve& curve,
-             const std::vector<std::string>& warnings) {
+inline Json stages_json(const riprap::BiaxialResult& result) {
   Json stages = Json::array();
   for (std::size_t i = 0; i < result.stages.size(); ++i)
     stages.push_back({{"stage", riprap::to_text(static_cast<riprap::Stage>(i))},
@@ -202,25 +202,73 @@ Json summary(const Options& o, const Sim& sim, const riprap::BiaxialTest& test,
                       {"reached_target", result.stages[i].reached_target},
                       {"servo_saturated_steps", result.stages[i].saturated_steps},
                       {"wall_s", result.stages[i].wall_seconds}});
+  return stages;
+}
+
+// Every number that was checked, beside its limit.
+inline Json checks_json(const riprap::CheckTable& table) {
+  Json checks = Json::array();
+  for (const riprap::CheckedNumber& n : table.rows())
+    checks.push_back({{"name", n.name},
+                      {"worst", n.measured ? Json(n.worst) : Json(nullptr)},
+                      {n.is_upper_limit ? "at_most" : "at_least", n.limit},
+                      {"holds", n.holds()},
+                      {"stage", riprap::to_text(n.stage)},
+                      {"axial_strain", n.axial_strain},
+                      {"beyond_the_limit", n.reason}});
+  return checks;
+}
+
+inline void print_checks(const riprap::CheckTable& table) {
+  std::printf("%zu of %zu checks hold\n", table.rows().size() - table.violations(),
+              table.rows().size());
+  for (const riprap::CheckedNumber& n : table.rows())
+    if (!n.holds())
+      std::printf("  %s: %.3g, should be %s %.3g (%s)\n", n.name.c_str(), n.worst,
+                  n.is_upper_limit ? "at most" : "at least", n.limit, n.reason.c_str());
+}
+
+template <class Sim>
+Json summary(const Options& o, const Sim& sim, const riprap::BiaxialResult& result,
+             const riprap::Curve& curve, const riprap::RangeCheck& check) {
+  Json j = {{"riprap", riprap::version},
+            {"status", result.interrupted ? "interrupted" : "finished"},
+            {"parameters", parameters_json(o, sim)},
+            {"numbers", numbers_json(o, sim, result, curve)},
+            {"peak", nullptr},
+            {"end", nullptr},
+            {"counts",
+             {{"particles", sim.particles().size()},
+              {"breakages", sim.breaks().size()},
+              {"breakages_before_shear", curve.breakages_before_shear()}}},
+            {"grading_before_and_after", grading_json(sim.particles())},
+            {"energy_error", nullptr},
+            {"stages", stages_json(result)},
+            {"threads", sim.model().execution_policy.threads},
+            {"checks", checks_json(check.table())},
+            {"warnings", check.warnings()}};
+  // They stay null if the run was interrupted before shear.
+  if (!curve.points().empty()) {
+    j["peak"] = point_json(curve.peak());
+    j["end"] = point_json(curve.points().back());
+    j["energy_error"] = curve.points().back().energy_error();
+  }
+  return j;
+}
+
+// Of a run that an error ended: its state is not to be trusted with more than this.
+template <class Sim>
+Json failure_summary(const Options& o, const Sim& sim, const std::vector<std::string>& warnings,
+                     const std::string& error) {
   return {{"riprap", riprap::version},
-          {"parameters", parameters_json(o, sim, test)},
-          {"numbers", numbers_json(o, sim, result, curve)},
-          {"peak", point_json(curve.peak())},
-          {"end", point_json(curve.points().back())},
-          {"counts",
-           {{"particles", sim.particles().size()},
-            {"breakages", sim.breaks().size()},
-            {"breakages_before_shear", curve.breakages_before_shear()}}},
-          {"grading_before_and_after", grading_json(sim.particles())},
-          {"energy_error", curve.points().back().energy_error()},
-          {"stages", stages},
-          {"threads", sim.model().execution_policy.threads},
+          {"status", "failed"},
+          {"error", error},
+          {"parameters", parameters_json(o, sim)},
           {"warnings", warnings}};
 }
 
 template <class Sim>
-void print_summary(const Options& o, const Sim& sim, const riprap::Curve& curve,
-                   const std::string& folder) {
+void print_numbers(const Options& o, const Sim& sim, const riprap::Curve& curve) {
   const riprap::CurvePoint& peak = curve.peak();
   const riprap::CurvePoint& end = curve.points().back();
   const auto& law = sim.contacts().law();
@@ -231,11 +279,18 @@ void print_summary(const Options& o, const Sim& sim, const riprap::Curve& curve,
       end.coordination.coordination_number, end.breakages, curve.breakages_before_shear());
   std::printf("kappa %.2g, overlap/d %.2g, inertial number %.2g, unbalanced force %.2g, "
               "dt/sqrt(m/k) %.2g\n",
-              riprap::stiffness_level(o.pressure, o.thickness, law.peak_stiffness()),
+              riprap::stiffness_level(o.test.confining_pressure, o.assembly.thickness,
+                                      law.peak_stiffness()),
               end.overlap_ratio, end.inertial_number, end.state.unbalanced_force,
               riprap::time_step_ratio(sim.time_step(), sim.particles(), law.peak_stiffness()));
-  std::printf(
-      "results in %s: curves.svg, assembly_before.svg, assembly_after.svg, forces_before.svg,\n"
-      "forces_after.svg, displacement.svg, curve.csv, energy.csv, breakages.csv, summary.json\n",
-      folder.c_str());
+}
+
+template <class Sim>
+void print_summary(const Options& o, const Sim& sim, const riprap::BiaxialResult& result,
+                   const riprap::Curve& curve) {
+  if (result.interrupted)
+    std::printf("interrupted %s; what was recorded until then is kept\n",
+                curve.points().empty() ? "before shear" : "in shear");
+  if (!curve.points().empty()) print_numbers(o, sim, curve);
+  std::printf("results in %s: %s\n", o.out.c_str(), present_results(o.out).c_str());
 }

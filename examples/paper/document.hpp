@@ -9,7 +9,8 @@
 
 namespace report {
 
-// Texts may hold `code`, **bold** and [links](#anchor).
+// Texts may hold `code`, *emphasis*, **bold** and [links](#anchor), in each other where that has a
+// meaning.
 struct Heading {
   int level = 1;
   std::string text;

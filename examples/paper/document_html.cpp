@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // The report as one HTML page.
 
-#include <algorithm>
+#include <cctype>
+#include <string>
 
 #include "document.hpp"
 
@@ -43,6 +44,8 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
+std::string inline_html(const std::string& text);
+
 // Between a mark and its next one.
 bool take(const std::string& text, std::size_t& at, const std::string& mark, std::string& inner) {
   if (text.compare(at, mark.size(), mark) != 0) return false;
@@ -54,31 +57,62 @@ bool take(const std::string& text, std::size_t& at, const std::string& mark, std
   return true;
 }
 
+// *Emphasis*: an asterisk that stands alone, as between two factors, or after a word, as that of a
+// footnote does, begins none.
+bool take_emphasis(const std::string& text, std::size_t& at, std::string& inner) {
+  const auto is = [&](std::size_t i, auto&& kind) {
+    return i < text.size() && kind(static_cast<unsigned char>(text[i]));
+  };
+  const auto blank = [](int c) { return std::isspace(c) != 0 || c == '*'; };
+  const auto word = [](int c) { return std::isalnum(c) != 0; };
+  if (text[at] != '*' || at + 1 >= text.size() || is(at + 1, blank) || (at > 0 && is(at - 1, word)))
+    return false;
+  for (std::size_t end = text.find('*', at + 2); end != std::string::npos;
+       end = text.find('*', end + 1))
+    if (!is(end - 1, blank) && !is(end + 1, word)) {
+      inner = text.substr(at + 1, end - at - 1);
+      at = end + 1;
+      return true;
+    }
+  return false;
+}
+
+// [text](target)
+bool take_link(const std::string& text, std::size_t& at, std::string& inner, std::string& target) {
+  if (text[at] != '[') return false;
+  const std::size_t middle = text.find(']', at);
+  if (middle == std::string::npos || text.compare(middle, 2, "](") != 0) return false;
+  const std::size_t end = text.find(')', middle);
+  if (end == std::string::npos) return false;
+  inner = text.substr(at + 1, middle - at - 1);
+  target = text.substr(middle + 2, end - middle - 2);
+  at = end + 1;
+  return true;
+}
+
 std::string strong(const std::string& text) {
   const std::string colour = text == "holds"           ? " class=\"holds\""
                              : text == "holds in part" ? " class=\"in-part\""
                              : text == "does not hold" ? " class=\"fails\""
                                                        : "";
-  return "<strong" + colour + ">" + escaped(text) + "</strong>";
+  return "<strong" + colour + ">" + inline_html(text) + "</strong>";
 }
 
 std::string inline_html(const std::string& text) {
   std::string out;
   std::string inner;
+  std::string target;
   for (std::size_t at = 0; at < text.size();) {
-    if (take(text, at, "**", inner)) {
-      out += strong(inner);
-    } else if (take(text, at, "`", inner)) {
+    if (take(text, at, "`", inner))
       out += "<code>" + escaped(inner) + "</code>";
-    } else if (const std::size_t middle = text.find("](", at);
-               text[at] == '[' && middle != std::string::npos) {
-      const std::size_t end = text.find(')', middle);
-      out += "<a href=\"" + text.substr(middle + 2, end - middle - 2) + "\">" +
-             escaped(text.substr(at + 1, middle - at - 1)) + "</a>";
-      at = end + 1;
-    } else {
+    else if (take(text, at, "**", inner))
+      out += strong(inner);
+    else if (take_emphasis(text, at, inner))
+      out += "<em>" + inline_html(inner) + "</em>";
+    else if (take_link(text, at, inner, target))
+      out += "<a href=\"" + escaped(target) + "\">" + inline_html(inner) + "</a>";
+    else
       out += escaped(text.substr(at++, 1));
-    }
   }
   return out;
 }

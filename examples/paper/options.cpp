@@ -5,8 +5,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdlib>
 #include <thread>
+
+#include "../command_line/option_table.hpp"
+#include "../command_line/program.hpp"
 
 namespace study {
 
@@ -20,23 +22,18 @@ Options read_options(int argc, char** argv) {
       "report.\n"
       "Runs that are finished are kept, so that an interrupted study goes on where it was."};
   app.get_formatter()->column_width(30);
-  app.option_defaults()->always_capture_default();
-  app.add_option("--samples", o.samples, "samples, seeds 1, 2, ..., of each series")
+  command_line::OptionTable table(app);
+  table.begin_group("Options");
+  table.add_number("--samples", o.samples, "", "samples, seeds 1, 2, ..., of each series")
       ->check(CLI::Range(1, 1000));
-  app.add_option("--jobs", o.jobs, "runs side by side; changes no result")
+  table.add_number("--jobs", o.jobs, "", "runs side by side; changes no result")
       ->check(CLI::Range(1, 1024));
-  app.add_flag("--quick", o.quick,
-               "a glance: 150 particles, three pressures, one sample; not a study");
-  app.add_option("--out", o.out, "folder for the results [paper, or paper-quick with --quick]")
-      ->capture_default_str()
-      ->default_str("");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    std::exit(app.exit(error));
-  }
+  table.add_flag("--quick", o.quick,
+                 "a glance: 150 particles, three pressures, one sample; not a study");
+  table.add_text("--out", o.out, "folder for the results [paper, or paper-quick with --quick]");
+  command_line::parse_or_exit(app, [&] { app.parse(argc, argv); });
   if (o.out.empty()) o.out = o.quick ? "paper-quick" : "paper";
-  if (o.quick && app.count("--samples") == 0) o.samples = 1;
+  if (o.quick && !table.is_given("--samples")) o.samples = 1;
   return o;
 }
 

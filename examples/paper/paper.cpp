@@ -2,11 +2,9 @@
 // paper: the paper's study: biaxial tests at six pressures with and without breakage, and a report
 
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 
-#include <riprap/core/errors.hpp>
-
+#include "../command_line/program.hpp"
 #include "options.hpp"
 #include "report.hpp"
 #include "run_plan.hpp"
@@ -15,7 +13,7 @@
 
 int main(int argc, char** argv) {
   const study::Options options = study::read_options(argc, argv);
-  try {
+  return command_line::run_program({}, [&] {
     const auto outcome = study::make_runs(study::all_runs(options), options.out, options.jobs);
     study::make_unconfined(std::filesystem::path(options.out) / "unconfined");
     write_report(options.out);
@@ -26,12 +24,6 @@ int main(int argc, char** argv) {
           "This was a quick look at small samples: its numbers are not those of the study.\n");
     for (const std::string& place : outcome.failed)
       std::fprintf(stderr, "failed: see %s/error.txt\n", place.c_str());
-    return outcome.failed.empty() ? 0 : 1;
-  } catch (const riprap::InvalidInput& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
+    return outcome.failed.empty() ? command_line::finished : command_line::failed;
+  });
 }

@@ -73,6 +73,8 @@ void run_model(const RunPlan& plan, ModelType model, const std::filesystem::path
                               stiffness_level(plan.pressure, sim.particles().thickness(),
                                               sim.contacts().law().peak_stiffness()));
   j["stages"] = stages_json(result);
+  if (!curve.points().empty())
+    check.check_energy(curve.points().back().energy, curve.points().back().axial_strain);
   j["warnings"] = check.warnings();
   j["parameters"] = plan.parameters();
   j["wall_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();

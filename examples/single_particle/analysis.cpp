@@ -38,6 +38,18 @@ void check(const Case& c) {
       require(std::isfinite(value), "--force", value, "must be a finite number");
 }
 
+// Criteria square stresses, and not-a-number would count as an element that holds.
+void check_stress(const Analysis& a) {
+  constexpr double largest_stress = 1e100;  // [Pa]
+  double largest_force = 0;
+  for (const BoundaryLoad& load : a.loads)
+    largest_force = std::max({largest_force, std::abs(load.force.x()), std::abs(load.force.y())});
+  for (std::size_t e = 0; e < a.mesh.size(); ++e)
+    for (const double value : {a.stress[e].s11, a.stress[e].s22, a.stress[e].s12})
+      require(std::abs(value) <= largest_stress, "largest component of a --force", largest_force,
+              "the stress in the particle is above 1e100 Pa or not finite");
+}
+
 // Contacts know their normal; of a bare force it is the share across the edge it acts on.
 BoundaryLoad boundary_load(const Mesh& mesh, const Body& body, const PointForce& given) {
   const Vec2 force = body.rotation.inverse_times(given.force);
@@ -142,6 +154,7 @@ Analysis analyse(Case given) {
     solve(a, TwoPinnedContacts{});
   else
     solve(a, InertiaRelief{});
+  check_stress(a);
   for (std::size_t e = 0; e < a.mesh.size(); ++e)
     a.elements.push_back(evaluate(c.criterion, a.stress[e]));
   a.tally = tally_failures(c.criterion, a.stress);

@@ -4,9 +4,18 @@
 #include "options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <sstream>
+
+#include <riprap/geometry/read_wkt.hpp>
+
+#include "../command_line/option_table.hpp"
+#include "../command_line/program.hpp"
+
+namespace single_particle {
 
 namespace {
 
@@ -21,22 +30,27 @@ template <std::size_t N>
 std::array<double, N> numbers(const std::string& name, const std::string& text,
                               const std::string& rule) {
   std::array<double, N> values{};
-  std::istringstream stream(text);
+  std::size_t count = 0;
   bool good = true;
-  for (double& value : values) good = good && static_cast<bool>(stream >> value);
-  std::string rest;
-  if (!good || stream >> rest)
-    throw riprap::InvalidInput(name + " = '" + text + "': must be " + rule);
+  std::istringstream words(text);
+  for (std::string word; words >> word && good; ++count) {
+    const auto number = command_line::number_from<double>(word);
+    good = number.has_value() && count < N;
+    if (good) values[count] = *number;
+  }
+  if (!good || count != N) throw riprap::InvalidInput(name + " = '" + text + "': must be " + rule);
   return values;
 }
 
 riprap::ConvexPolygon polygon_from(const std::string& text) {
   std::vector<riprap::Vec2> vertices;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, ',');) {
-    const auto [x, y] = numbers<2>("--polygon vertex " + std::to_string(vertices.size()), part,
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', begin), text.size());
+    const auto [x, y] = numbers<2>("--polygon vertex " + std::to_string(vertices.size()),
+                                   text.substr(begin, comma - begin),
                                    "two numbers x y [m], vertices separated by commas");
     vertices.emplace_back(x, y);
+    begin = comma + 1;
   }
   return riprap::ConvexPolygon(std::move(vertices));
 }
@@ -44,6 +58,37 @@ riprap::ConvexPolygon polygon_from(const std::string& text) {
 PointForce force_from(const std::string& text) {
   const auto [x, y, fx, fy] = numbers<4>("--force", text, "four numbers x y fx fy [m, N]");
   return {{x, y}, {fx, fy}};
+}
+
+riprap::ConvexPolygon polygon_in_file(const std::string& name) {
+  std::ifstream file(name, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw riprap::InvalidInput("--wkt = " + name + ": must be a file that can be read");
+  try {
+    return riprap::read_wkt_polygon(text);
+  } catch (const riprap::InvalidInput& error) {
+    throw riprap::InvalidInput("--wkt = " + name + ": " + error.what());
+  }
+}
+
+void add_options(command_line::OptionTable& table, CLI::App& app, Options& o) {
+  table.begin_group("Options");
+  table.add_text("--polygon", o.polygon, "vertices 'x y, x y, ...' [m], convex, counter-clockwise")
+      ->excludes(table.add_text("--wkt", o.wkt, "file with a POLYGON in well-known text [m]"));
+  app.add_option("--force", o.forces,
+                 "'x y fx fy' [m, N], at the nearest boundary point; repeatable")
+      ->expected(1, 1000)
+      ->allow_extra_args(false);
+  table.add_choice("--criterion", o.criterion, {"hoek-brown", "mohr-coulomb"},
+                   "failure of an element");
+  table.add_choice("--support", o.support, {"inertia-relief", "pinned"},
+                   "of the particle in its stress analysis");
+  table.add_number("--mesh-triangles", o.mesher.triangles, "UniformMesher.triangles",
+                   "wanted in the mesh [-]");
+  table.add_number("--thickness", o.thickness, "", "out of plane [m]");
+  table.add_number("--ratf", o.trigger.critical, "FailedElementRatio.critical",
+                   "share of failed elements that breaks the particle [-]");
+  table.add_text("--out", o.out, "file for the picture (SVG)");
 }
 
 }  // namespace
@@ -55,27 +100,10 @@ Options read_options(int argc, char** argv) {
       "weighted lines and the cut, as numbers and as one picture. Without --polygon or --wkt a\n"
       "pentagon of 16 mm under four forces is taken."};
   app.get_formatter()->column_width(42);
-  auto* polygon = app.add_option("--polygon", o.polygon,
-                                 "vertices 'x y, x y, ...' [m], convex, counter-clockwise");
-  app.add_option("--wkt", o.wkt, "file with a POLYGON in well-known text [m]")->excludes(polygon);
-  app.add_option("--force", o.forces,
-                 "'x y fx fy' [m, N], at the nearest boundary point; repeatable")
-      ->expected(1, 1000)
-      ->allow_extra_args(false);
-  app.option_defaults()->always_capture_default();
-  app.add_option("--criterion", o.criterion, "failure of an element")
-      ->check(CLI::IsMember({"hoek-brown", "mohr-coulomb"}));
-  app.add_option("--support", o.support, "of the particle in its stress analysis")
-      ->check(CLI::IsMember({"inertia-relief", "pinned"}));
-  app.add_option("--mesh-triangles", o.mesh_triangles, "wanted in the mesh [-]");
-  app.add_option("--thickness", o.thickness, "out of plane [m]");
-  app.add_option("--ratf", o.ratf, "share of failed elements that breaks the particle [-]");
-  app.add_option("--out", o.out, "file for the picture (SVG)");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    std::exit(app.exit(error));
-  }
+  command_line::OptionTable table(app);
+  add_options(table, app, o);
+  command_line::parse_or_exit(app, [&] { app.parse(argc, argv); });
+  o.names = table.names();
   return o;
 }
 
@@ -84,14 +112,16 @@ Case chosen_case(const Options& o) {
   if (own && o.forces.empty())
     throw riprap::InvalidInput("--force is missing: a polygon of your own needs forces of its own");
   Case c{.polygon = o.wkt.empty() ? polygon_from(own ? o.polygon : default_polygon)
-                                  : read_wkt_file(o.wkt)};
+                                  : polygon_in_file(o.wkt)};
   if (o.forces.empty())
     for (const char* text : default_forces) c.forces.push_back(force_from(text));
   for (const std::string& text : o.forces) c.forces.push_back(force_from(text));
   if (o.criterion == "mohr-coulomb") c.criterion = {riprap::MohrCoulomb{}};
   c.pinned = o.support == "pinned";
-  c.mesher.triangles = o.mesh_triangles;
-  c.trigger.critical = o.ratf;
+  c.mesher = o.mesher;
+  c.trigger = o.trigger;
   c.thickness = o.thickness;
   return c;
 }
+
+}  // namespace single_particle

@@ -5,7 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "../command_line/option_names.hpp"
 #include "analysis.hpp"
+
+namespace single_particle {
 
 struct Options {
   std::string polygon;              // "x y, x y, ..." [m]
@@ -13,17 +16,18 @@ struct Options {
   std::vector<std::string> forces;  // "x y fx fy" [m, N]
   std::string criterion = "hoek-brown";
   std::string support = "inertia-relief";
-  unsigned mesh_triangles = 100;
+  riprap::UniformMesher mesher{};
   double thickness = 0.016;
-  double ratf = 0.4;
+  riprap::FailedElementRatio trigger{};
   std::string out = "single_particle.svg";
+
+  command_line::OptionNames names{};  // which option sets which member, for errors
 };
 
-// Fills the options from the command line; exits on --help and on unknown or malformed options.
+// Exits on --help, --version and a command that is wrong.
 Options read_options(int argc, char** argv);
 
 // Throws InvalidInput for a polygon, a force or a parameter that breaks a rule.
 Case chosen_case(const Options& options);
 
-// The polygon in a file of well-known text; its ring may turn either way.
-riprap::ConvexPolygon read_wkt_file(const std::string& name);
+}  // namespace single_particle

@@ -2,25 +2,20 @@
 // single_particle: one polygon under forces: mesh, safety factors, crack lines, pieces in a picture
 
 #include <cstdio>
-#include <exception>
 
+#include "../command_line/program.hpp"
 #include "analysis.hpp"
 #include "options.hpp"
 #include "picture.hpp"
 #include "report.hpp"
 
 int main(int argc, char** argv) {
-  try {
-    const Options options = read_options(argc, argv);
+  const auto options = single_particle::read_options(argc, argv);
+  return command_line::run_program(options.names, [&] {
     const Analysis analysis = analyse(chosen_case(options));
     print_report(analysis);
     picture(analysis).save(options.out);
     std::printf("picture in %s\n", options.out.c_str());
-  } catch (const riprap::InvalidInput& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
+    return command_line::finished;
+  });
 }

@@ -13,7 +13,7 @@
 namespace unconfined {
 
 inline void write_files(const Study& s, const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
+  riprap::make_folder(folder);
   const auto at = [&](const char* name) { return (folder / name).string(); };
   draw_specimen(s).save(at("fig3_specimen.svg"));
   draw_poisson(s).save(at("fig4_poisson.svg"));

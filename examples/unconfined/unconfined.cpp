@@ -2,47 +2,51 @@
 // unconfined: rock specimens between platens: Rat at failure and what moves it, to calibrate RatF
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
+#include <limits>
+#include <string>
 
+#include "../command_line/option_table.hpp"
+#include "../command_line/program.hpp"
 #include "files.hpp"
 
 namespace {
 
 using unconfined::Options;
 
-Options read_options(int argc, char** argv) {
-  Options o;
-  std::string friction = "rough";
-  CLI::App app{
-      "Unconfined compression of a rectangular specimen in finite elements, up to the uniaxial\n"
-      "strength: the share of failed elements (Rat) at failure, which is RatF for that rock, and\n"
-      "Rat against each parameter. Numbers and pictures are written to a folder."};
-  app.get_formatter()->column_width(42);
-  app.option_defaults()->always_capture_default();
-  app.add_option("--poisson", o.poisson, "Poisson's ratio [-]");
-  app.add_option("--m-b", o.m_b, "Hoek-Brown constant of the intact rock [-]");
-  app.add_option("--strength", o.strength, "uniaxial compressive strength [Pa]");
-  app.add_option("--young", o.young, "Young's modulus [Pa]");
-  app.add_option("--width", o.width, "of the specimen [m]");
-  app.add_option("--aspect", o.aspect, "height over width [-]");
-  app.add_option("--friction", friction, "of the platens [-], a number above 0 or rough");
-  app.add_option("--load", o.load, "mean platen stress at failure over the strength [-]");
-  app.add_option("--mesh-triangles", o.triangles, "wanted in the mesh [-]");
-  app.add_option("--criterion", o.criterion, "failure of an element")
-      ->check(CLI::IsMember({"hoek-brown", "mohr-coulomb"}));
-  app.add_option("--plane", o.plane, "plane stress or plane strain")
-      ->check(CLI::IsMember({"stress", "strain"}));
-  app.add_option("--out", o.out, "folder for unconfined.json and the pictures (SVG)");
-  try {
-    app.parse(argc, argv);
-    if (friction != "rough" && !CLI::detail::lexical_cast(friction, o.friction))
-      throw CLI::ValidationError("--friction", "'" + friction + "' is neither a number nor rough");
-  } catch (const CLI::ParseError& error) {
-    std::exit(app.exit(error));
-  }
-  return o;
+void add_friction(command_line::OptionTable& table, Options& o) {
+  const std::string option = "--friction";
+  table.add_text(
+      option, "of the platens [-], a number above 0 or rough",
+      [option, &o](const std::string& text) {
+        const auto number = command_line::number_from<double>(text);
+        if (!number && text != "rough")
+          throw CLI::ValidationError(option, "'" + text + "' is neither a number nor rough");
+        o.friction = number.value_or(std::numeric_limits<double>::infinity());
+      },
+      [&o] { return std::isinf(o.friction) ? "rough" : riprap::to_text(o.friction); },
+      {"UnconfinedCompression.friction"});
+}
+
+void add_options(command_line::OptionTable& table, Options& o) {
+  table.begin_group("Options");
+  table.add_number("--poisson", o.poisson, "Rock.poisson", "Poisson's ratio [-]");
+  table.add_number("--m-b", o.m_b, "HoekBrown.m_b", "Hoek-Brown constant of the intact rock [-]");
+  table.add_number("--strength", o.strength, "HoekBrown.compressive_strength",
+                   "uniaxial compressive strength [Pa]");
+  table.add_number("--young", o.young, "Rock.young", "Young's modulus [Pa]");
+  table.add_number("--width", o.width, "UnconfinedCompression.width", "of the specimen [m]");
+  table.add_number("--aspect", o.aspect, "", "height over width [-]");
+  add_friction(table, o);
+  table.add_number("--load", o.load, "UnconfinedCompression.load",
+                   "mean platen stress at failure over the strength [-]");
+  table.add_number("--mesh-triangles", o.triangles, "UniformMesher.triangles",
+                   "wanted in the mesh [-]");
+  table.add_choice("--criterion", o.criterion, {"hoek-brown", "mohr-coulomb"},
+                   "failure of an element");
+  table.add_choice("--plane", o.plane, {"stress", "strain"}, "plane stress or plane strain");
+  table.add_text("--out", o.out, "folder for unconfined.json and the pictures (SVG)");
 }
 
 void print(const unconfined::Study& s) {
@@ -71,17 +75,20 @@ void print(const unconfined::Study& s) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const Options options = read_options(argc, argv);
-  try {
+  Options options;
+  CLI::App app{
+      "Unconfined compression of a rectangular specimen in finite elements, up to the uniaxial\n"
+      "strength: the share of failed elements (Rat) at failure, which is RatF for that rock, and\n"
+      "Rat against each parameter. Numbers and pictures are written to a folder."};
+  app.get_formatter()->column_width(42);
+  command_line::OptionTable table(app);
+  add_options(table, options);
+  command_line::parse_or_exit(app, [&] { app.parse(argc, argv); });
+  return command_line::run_program(table.names(), [&] {
     const unconfined::Study study = unconfined::unconfined_study(options);
     print(study);
     unconfined::write_files(study, options.out);
     std::printf("numbers and pictures in %s\n", options.out.c_str());
-  } catch (const riprap::InvalidInput& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
+    return command_line::finished;
+  });
 }

@@ -258,6 +258,98 @@ TEST_CASE("a sample that does not jam is an error, not an endless run") {
   CHECK_THROWS_AS(test.run(sim), SimulationError);
 }
 
+namespace {
+
+// Asks for a stop at a step of a stage, counted from its begin.
+struct StopAt {
+  Stage stage;
+  int step;
+  int steps_of_stage = 0;
+  int steps_after_stop = 0;
+  std::vector<Stage> begun{};
+  std::vector<Stage> ended{};
+  bool interrupted_at_end = false;
+
+  template <class Sim>
+  void begin_stage(const BiaxialView<Sim>& view) {
+    begun.push_back(view.stage);
+    steps_of_stage = 0;
+  }
+  template <class Sim>
+  void after_step(const Sim& /*sim*/) {
+    ++steps_of_stage;
+  }
+  template <class Sim>
+  bool stop_requested(const BiaxialView<Sim>& view) {
+    if (view.interrupted) ++steps_after_stop;
+    return view.stage == stage && steps_of_stage >= step;
+  }
+  template <class Sim>
+  void end_stage(const BiaxialView<Sim>& view) {
+    ended.push_back(view.stage);
+    interrupted_at_end = view.interrupted && !view.reached_target;
+  }
+};
+
+struct StopAtEnd {
+  template <class Sim>
+  bool stop_requested(const BiaxialView<Sim>& view) const {
+    return view.stage == Stage::shear && view.axial_strain() >= 0.001;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a stop that an observer requests ends the test at the end of the step") {
+  for (const Stage stage :
+       {Stage::compaction, Stage::relaxation, Stage::hydrostatic, Stage::shear}) {
+    CAPTURE(to_text(stage));
+    Simulation sim{Model{}, small_assembly(), Rock{}};
+    StopAt stop{.stage = stage, .step = 77};
+    Curve curve;
+    RangeCheck check;
+    const BiaxialResult result = small_test.run(sim, curve, stop, check);
+    CHECK(result.interrupted);
+    CHECK(stop.steps_of_stage == 77);
+    CHECK(stop.steps_after_stop == 0);
+    CHECK(stop.begun.back() == stage);
+    CHECK(stop.ended == stop.begun);
+    CHECK(stop.interrupted_at_end);
+    CHECK(sim.breakage());
+    // The stages before have their results, the later ones have none.
+    for (const Stage s : {Stage::compaction, Stage::relaxation, Stage::hydrostatic, Stage::shear}) {
+      CHECK(result.stage(s).reached_target == (s < stage));
+      CHECK((result.stage(s).steps > 0) == (s <= stage));
+    }
+    CHECK(result.stage(stage).steps == 77);
+    // In shear the first state and that of the stop are recorded.
+    REQUIRE(curve.points().size() == (stage == Stage::shear ? 2 : 0));
+    if (stage == Stage::shear) CHECK(curve.points().back().axial_strain > 0);
+    for (const std::string& warning : check.warnings())
+      CHECK(warning.find("cap of steps") == std::string::npos);
+  }
+}
+
+TEST_CASE("a stop with the last step finds the test finished") {
+  Simulation sim{Model{}, small_assembly(), Rock{}};
+  const BiaxialResult result =
+      BiaxialTest{.confining_pressure = 8e6, .axial_strain = 0.001}.run(sim, StopAtEnd{});
+  CHECK(!result.interrupted);
+  CHECK(result.stage(Stage::shear).reached_target);
+}
+
+TEST_CASE("an observer that requests no stop changes nothing, byte for byte") {
+  const auto curve_with = [](auto&&... observers) {
+    Simulation sim{Model{}, small_assembly(), Rock{}};
+    Curve curve;
+    CHECK(!BiaxialTest{.confining_pressure = 8e6, .axial_strain = 0.005}
+               .run(sim, curve, observers...)
+               .interrupted);
+    return curve_csv(curve);
+  };
+  CHECK(curve_with() == curve_with(StopAt{.stage = Stage::shear, .step = 1'000'000'000}));
+}
+
 TEST_CASE("a strength in the wrong unit is told before the first step") {
   const auto warnings = [](double strength) {
     const Simulation sim{Model{}.criterion(HoekBrown{.compressive_strength = strength}),

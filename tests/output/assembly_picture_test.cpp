@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <riprap/output/assembly_picture.hpp>
+#include <support/extreme_numbers.hpp>
 #include <support/near.hpp>
 #include <support/rectangle.hpp>
 #include <support/svg_document.hpp>
@@ -210,4 +211,17 @@ TEST_CASE("everything is on the sheet: round, flat and tall assemblies") {
 
 TEST_CASE("a picture has its title") {
   CHECK_NOTHROW(static_cast<void>(test::text_element(picture(field(3), {}), "An assembly")));
+}
+
+TEST_CASE("an assembly with any positions and any shares has a picture") {
+  for (const double bad : test::extreme_numbers) {
+    CAPTURE(bad);
+    Particles particles = field(20);
+    particles.body(7).position = {bad, 0};
+    particles.update_ring(7);
+    const std::vector<double> ratios(20, bad);
+    const std::string document = assembly_picture(particles, ratios, "An assembly").document();
+    const std::size_t left_out = test::left_out_of(document);
+    if (!(std::abs(bad) <= 1e100)) CHECK(left_out > 0);
+  }
 }

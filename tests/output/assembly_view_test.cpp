@@ -8,6 +8,7 @@
 
 #include <riprap/core/random.hpp>
 #include <riprap/output/assembly_view.hpp>
+#include <support/extreme_numbers.hpp>
 #include <support/near.hpp>
 #include <support/rectangle.hpp>
 #include <support/svg_document.hpp>
@@ -217,5 +218,50 @@ TEST_CASE("of platens a rim round the sample is seen, and their ends are cut off
     CHECK(v.x() <= view(Vec2{1.04, 0}).x() + 1e-9);
     CHECK(v.y() >= view(Vec2{0, 1.04}).y() - 1e-9);
     CHECK(v.y() <= view(Vec2{0, -0.04}).y() + 1e-9);
+  }
+}
+
+TEST_CASE("what has no place in a picture does not widen it, and is left out") {
+  const double plain = AssemblyView(triad(2, 1)).scale();
+  for (const double bad : test::extreme_numbers) {
+    if (std::abs(bad) <= 1e100) continue;
+    CAPTURE(bad);
+    Particles particles = triad(2, 1);
+    particles.add(rectangle({1, 0.5}, 0.1, 0.1), Motion::free);
+    particles.body(3).position.y() = bad;
+    particles.update_ring(3);
+    const std::vector<Vec2> also{{bad, 0.5}, {0.5, bad}};
+    const AssemblyView view(particles, also);
+    CHECK(view.scale() == plain);
+    Svg svg = view.canvas();
+    view.outlines(svg, particles);
+    view.annotate(svg, "title");
+    CHECK(test::left_out_of(svg.document()) == 1);
+  }
+}
+
+TEST_CASE("an assembly without extent, or without particles, has a picture") {
+  const Particles none(0.016, 2500);
+  const std::vector<Vec2> point{{3, 4}};
+  for (const AssemblyView& view : {AssemblyView(none), AssemblyView(none, point)}) {
+    Svg svg = view.canvas();
+    view.annotate(svg, "title");
+    CHECK(test::left_out_of(svg.document()) == 0);
+    CHECK(view.scale() == 900);
+  }
+}
+
+TEST_CASE("particles farther apart than any sample have a picture") {
+  for (const double far : {1e10, 1e18, 1e90}) {
+    CAPTURE(far);
+    Particles particles = triad(2, 1);
+    particles.body(0).position.x() = far;
+    particles.update_ring(0);
+    particles.add(rectangle({0, -1}, 4, 1), Motion::platen);
+    const AssemblyView view(particles);
+    Svg svg = view.canvas();
+    view.outlines(svg, particles);
+    view.annotate(svg, "title");
+    CHECK_NOTHROW(static_cast<void>(test::left_out_of(svg.document())));
   }
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <support/extreme_numbers.hpp>
 #include <support/message_of.hpp>
 #include <support/near.hpp>
 
@@ -78,4 +79,39 @@ TEST_CASE("a logarithmic axis has no place for zero") {
         "value on a logarithmic axis = 0: must lie above 0");
   CHECK(test::message_of([] { (void)ChartAxis::logarithmic(-2, -2); }) ==
         "value on a logarithmic axis = -2: must lie above 0");
+  CHECK(test::message_of([] { (void)ChartAxis::logarithmic(1, HUGE_VAL); }) ==
+        "value on a logarithmic axis = inf: must lie between 1e-300 and 1e300");
+  CHECK(test::message_of([] {
+          (void)ChartAxis::logarithmic(1e-320, 1);
+        }).ends_with("must lie between 1e-300 and 1e300"));
+}
+
+TEST_CASE("an axis of any two numbers has a few ticks with short labels, and ends that differ") {
+  std::vector<double> ends(test::extreme_numbers.begin(), test::extreme_numbers.end());
+  ends.insert(ends.end(), {1, std::nextafter(1, 2), 1e16, 1e16 + 2, -3e8, 1e-300, 2e-300});
+  for (const double low : ends)
+    for (const double high : ends) {
+      CAPTURE(low);
+      CAPTURE(high);
+      const ChartAxis axis = ChartAxis::linear(low, high);
+      CHECK(axis.low() < axis.high());
+      CHECK(std::isfinite(axis.share(0.5 * axis.low() + 0.5 * axis.high())));
+      CHECK(axis.ticks().size() >= 2);
+      CHECK(axis.ticks().size() <= 12);
+      for (const AxisTick& tick : axis.ticks()) CHECK(tick.label.size() <= 16);
+    }
+}
+
+TEST_CASE("a single value too large for a unit axis has an axis as long as itself") {
+  const ChartAxis axis = ChartAxis::linear(1e300, 1e300);
+  CHECK(axis.low() <= 0.5e300);
+  CHECK(axis.high() >= 1.5e300);
+  CHECK(labels(axis).front() == "4e+299");
+}
+
+TEST_CASE("a logarithmic axis of any size has ticks with short labels") {
+  const ChartAxis axis = ChartAxis::logarithmic(1e-300, 1e300);
+  CHECK(axis.low() > 0);
+  CHECK(std::isfinite(axis.share(1)));
+  for (const AxisTick& tick : axis.ticks()) CHECK(tick.label.size() <= 16);
 }

@@ -12,6 +12,7 @@
 
 #include <riprap/core/random.hpp>
 #include <riprap/output/csv.hpp>
+#include <support/extreme_numbers.hpp>
 #include <support/near.hpp>
 #include <support/still_sample.hpp>
 #include <support/temporary_file.hpp>
@@ -289,5 +290,17 @@ TEST_CASE("write_csv writes the curve's table, and names the path where it canno
   write_csv(file.path(), curve);
   CHECK(file.text() == curve_csv(curve));
   const std::string path = file.path() + "/curve.csv";  // below a file, which is no folder
-  CHECK_THROWS_WITH_AS(write_csv(path, curve), ("cannot write " + path).c_str(), SimulationError);
+  CHECK_THROWS_WITH_AS(write_csv(path, curve),
+                       ("cannot write " + path + ": Not a directory").c_str(), SimulationError);
+}
+
+TEST_CASE("any number has a cell in a table") {
+  const std::vector<double> rows(test::extreme_numbers.begin(), test::extreme_numbers.end());
+  const Table table(csv_text(
+      CsvColumns<double>{internal::column<double>("x", [](const double& v) { return v; })}, rows));
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (std::isnan(rows[i]))
+      CHECK(table.rows[i].at("x") == "nan");
+    else
+      CHECK(table.number(i, "x") == rows[i]);
 }

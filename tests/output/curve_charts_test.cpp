@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <riprap/output/curve_charts.hpp>
+#include <support/extreme_numbers.hpp>
 #include <support/near.hpp>
 #include <support/still_sample.hpp>
 #include <support/svg_document.hpp>
@@ -117,5 +118,20 @@ TEST_CASE("the sheet of charts holds every label, for a long curve and for a sin
     // Names in the legends of the left column end before the right column begins.
     for (const auto& e : test::named(all, "text"))
       if (e.number("x") < 600) CHECK(box_of(e).high.x() <= 600);
+  }
+}
+
+TEST_CASE("a curve of any numbers, or without records, has charts") {
+  CHECK(test::left_out_of(chart_sheet(curve_charts(Curve{})).document()) == 0);
+  for (const double bad : test::extreme_numbers) {
+    CAPTURE(bad);
+    Curve curve = squeezed(2);
+    test::StillSample sample;
+    auto view = test::view_of(sample);
+    view.stretch = {bad, 1 - bad};
+    view.area = bad;
+    curve.record(view);
+    CHECK_NOTHROW(
+        static_cast<void>(test::left_out_of(chart_sheet(curve_charts(curve)).document())));
   }
 }

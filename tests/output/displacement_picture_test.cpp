@@ -6,6 +6,7 @@
 
 #include <riprap/output/displacement_picture.hpp>
 #include <support/broken_sample.hpp>
+#include <support/extreme_numbers.hpp>
 #include <support/near.hpp>
 #include <support/svg_document.hpp>
 
@@ -191,4 +192,17 @@ TEST_CASE("the same paths give the same bytes") {
   const Story two;
   CHECK(displacement_picture(one.sample.particles(), one.paths, "").document() ==
         displacement_picture(two.sample.particles(), two.paths, "").document());
+}
+
+TEST_CASE("paths to any place have a picture") {
+  for (const double bad : test::extreme_numbers) {
+    CAPTURE(bad);
+    Story story;
+    story.sample.move(1, {bad, 0});
+    story.paths.record(story.sample.view());
+    const std::string document =
+        displacement_picture(story.sample.particles(), story.paths, "Paths").document();
+    const std::size_t left_out = test::left_out_of(document);
+    if (!(std::abs(bad) <= 1e100)) CHECK(left_out > 0);
+  }
 }

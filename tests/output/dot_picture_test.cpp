@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <support/extreme_numbers.hpp>
 #include <support/near.hpp>
 #include <support/still_sample.hpp>
 #include <support/svg_document.hpp>
@@ -109,4 +110,18 @@ TEST_CASE("a full value that is not positive is refused") {
 TEST_CASE("everything is on the sheet") {
   // Dots no larger than the particles at the edge of the picture.
   CHECK(test::outside_canvas(picture(test::StillSample(), {0.5, 0.3, 0.3, 0.3, 0.3})) == "");
+}
+
+TEST_CASE("any values have a picture") {
+  const test::StillSample sample;
+  for (const double bad : test::extreme_numbers) {
+    CAPTURE(bad);
+    const std::vector<double> values{0.1, bad, bad, bad, bad};
+    DotLegend legend = shares;
+    legend.samples = {0.1, bad};
+    legend.critical = bad;
+    const std::string document = dot_picture(sample.particles(), values, legend, "Dots").document();
+    const std::size_t left_out = test::left_out_of(document);
+    if (bad >= 1e18) CHECK(left_out >= 4);
+  }
 }

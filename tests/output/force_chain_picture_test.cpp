@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include <riprap/dynamics/boundary/periodic_cell.hpp>
 #include <riprap/output/force_chain_picture.hpp>
 #include <riprap/simulation/simulation.hpp>
+#include <support/extreme_numbers.hpp>
+#include <support/fake_contacts.hpp>
 #include <support/near.hpp>
 #include <support/rectangle.hpp>
 #include <support/still_sample.hpp>
@@ -220,4 +223,19 @@ TEST_CASE("everything is on the sheet, and so is the title") {
   const auto all = picture(test::StillSample(uneven));
   CHECK(test::outside_canvas(all) == "");
   CHECK_NOTHROW(static_cast<void>(test::text_element(all, "Forces")));
+}
+
+TEST_CASE("any forces at any places have a picture") {
+  const test::StillSample sample;
+  for (const double bad : test::extreme_numbers) {
+    CAPTURE(bad);
+    const test::FakeContacts contacts{
+        {test::fake_contact(0, 1, {0, 0}, {0.012, 0}, {1, 0}, bad, bad),
+         test::fake_contact(0, 2, {0, 0}, {0, bad}, {0, 1}, 300, 0)}};
+    const std::string document =
+        force_chain_picture(sample.particles(), contacts, "Forces").document();
+    const std::size_t left_out = test::left_out_of(document);
+    if (std::isnan(bad)) CHECK(left_out == 3);
+    if (std::abs(bad) >= 1e10) CHECK(left_out == 2);
+  }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <riprap/output/force_classes.hpp>
+#include <support/extreme_numbers.hpp>
 #include <support/message_of.hpp>
 
 using namespace riprap;
@@ -69,4 +70,12 @@ TEST_CASE(
         "ForceClasses.bounds = 300: must be larger than the bound before it");
   CHECK(message({200, std::numeric_limits<double>::infinity()}) ==
         "ForceClasses.bounds = inf: must be a finite number above 0");
+}
+
+TEST_CASE("any force has a class, and bounds of any size have names") {
+  const ForceClasses classes;
+  for (const double force : test::extreme_numbers) CHECK(classes(force) < classes.size());
+  const ForceClasses huge{{1e-300, 1, 1e300}};
+  CHECK_NOTHROW(huge.validate());
+  for (std::size_t k = 0; k < huge.size(); ++k) CHECK(!huge.name(k).empty());
 }

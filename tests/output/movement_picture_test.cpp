@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <support/broken_sample.hpp>
+#include <support/extreme_numbers.hpp>
 #include <support/near.hpp>
 #include <support/svg_document.hpp>
 
@@ -103,4 +104,15 @@ TEST_CASE("everything is on the sheet, places left behind too") {
   for (const Vec2& from : {Vec2{0.3, 0}, Vec2{-0.3, 0}, Vec2{0, 0.3}, Vec2{0, -0.3}})
     CHECK(test::outside_canvas(picture(sample, {{from, {0.01, 0.005}, true}})) == "");
   CHECK(test::outside_canvas(picture(sample, {})) == "");
+}
+
+TEST_CASE("moves to any place have a picture") {
+  const BrokenSample sample;
+  for (const double bad : test::extreme_numbers) {
+    CAPTURE(bad);
+    const std::vector<Move> moves{{{0.01, bad}, {bad, 0.008}, true}, {{0, 0}, {bad, bad}, false}};
+    const std::string document = movement_picture(sample.particles(), moves, "Movement").document();
+    const std::size_t left_out = test::left_out_of(document);
+    if (!(std::abs(bad) <= 1e100)) CHECK(left_out == 2);
+  }
 }

@@ -168,6 +168,39 @@ TEST_CASE("in a biaxial test each record is a state, at the axial strain") {
   CHECK(sets[1].number("timestep") == 0.125);
 }
 
+TEST_CASE("a new series removes the files of the one before, and nothing else") {
+  const test::Cross cross;
+  const Simulation sim{Model{}, cross.assembly(), Rock{}};
+  const TemporaryFolder folder;
+  {
+    ParaViewSeries longer(folder.path);
+    for (int i = 0; i < 3; ++i) longer.write(sim, i);
+  }
+  const std::set<std::string> others{"particles_01.vtp",    "particles_00001.vtp.bak",
+                                     "contacts_000x.vtp",   "my_particles_0000.vtp",
+                                     "particles_0000.vtps", "view.pvsm"};
+  for (const std::string& name : others) write_file((folder.path / name).string(), "mine");
+  for (const char* name : {"contacts_12345.vtp", "particles_0003.vtp.part"})
+    write_file((folder.path / name).string(), "of an earlier series");
+  ParaViewSeries shorter(folder.path);
+  CHECK(names_in(folder.path).size() == 10 + others.size());
+  shorter.write(sim, 0);
+  std::set<std::string> expected{"contacts.pvd", "contacts_0000.vtp", "particles.pvd",
+                                 "particles_0000.vtp"};
+  expected.insert(others.begin(), others.end());
+  CHECK(names_in(folder.path) == expected);
+}
+
+TEST_CASE("a removed series leaves no empty folder, and no folder is no mistake") {
+  const test::Cross cross;
+  const Simulation sim{Model{}, cross.assembly(), Rock{}};
+  const TemporaryFolder folder;
+  CHECK_NOTHROW(ParaViewSeries::remove(folder.path));
+  ParaViewSeries(folder.path).write(sim, 0);
+  ParaViewSeries::remove(folder.path);
+  CHECK(!std::filesystem::exists(folder.path));
+}
+
 TEST_CASE("a folder that cannot be made is an error that names the file") {
   const test::TemporaryFile file;
   write_file(file.path(), "no folder");

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <boost/property_tree/xml_parser.hpp>
+#include <cmath>
 #include <locale>
 #include <sstream>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include <riprap/core/random.hpp>
 #include <riprap/output/svg.hpp>
+#include <support/extreme_numbers.hpp>
 #include <support/near.hpp>
 #include <support/svg_document.hpp>
 #include <support/temporary_file.hpp>
@@ -210,5 +212,57 @@ TEST_CASE("a saved picture is the document") {
 TEST_CASE("a picture that cannot be saved is an error that names the path") {
   const test::TemporaryFile missing_folder;
   const std::string path = missing_folder.path() + "/picture.svg";
-  CHECK_THROWS_WITH_AS(sampler().save(path), ("cannot write " + path).c_str(), SimulationError);
+  CHECK_THROWS_WITH_AS(sampler().save(path),
+                       ("cannot write " + path + ": No such file or directory").c_str(),
+                       SimulationError);
+}
+
+TEST_CASE("parts with numbers that cannot be drawn are left out, and the picture says how many") {
+  const std::vector<Vec2> good{{1, 2}, {3, 4}, {1, 4}};
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e300, -1e300, 1.01e9}) {
+    CAPTURE(bad);
+    Svg svg(100, 100);
+    svg.polygon(good, "fill=\"red\"");
+    svg.polygon(std::vector<Vec2>{{1, 2}, {bad, 4}, {1, 4}}, "fill=\"red\"");
+    svg.line({bad, 2}, {3, 4}, "stroke=\"#222\"");
+    svg.line({1, 2}, {3, bad}, "stroke=\"#222\"");
+    svg.circle({1, bad}, 1, "fill=\"red\"");
+    svg.circle({1, 1}, bad, "fill=\"red\"");
+    svg.rectangle({bad, 1}, {2, 2}, "fill=\"red\"");
+    svg.rectangle({1, 1}, {2, bad}, "fill=\"red\"");
+    svg.text({bad, 1}, "somewhere");
+    svg.text({1, 1}, "some size", "start", bad);
+    svg.text({1, 1}, "some turn", "start", 13, bad);
+    CHECK(svg.left_out() == 10);
+    CHECK(test::left_out_of(svg.document()) == 10);
+    // The document, its background, one polygon and the note.
+    CHECK(test::svg_elements(svg.document()).size() == 4);
+  }
+}
+
+TEST_CASE("a negative size is left out: XML readers refuse the whole picture for it") {
+  Svg svg(100, 100);
+  svg.circle({1, 1}, -1, "fill=\"red\"");
+  svg.rectangle({1, 1}, {-2, 2}, "fill=\"red\"");
+  CHECK(test::left_out_of(svg.document()) == 2);
+}
+
+TEST_CASE("a line has a gap where a point cannot be drawn") {
+  Svg svg(100, 100);
+  const double nan = std::nan("");
+  svg.polyline(std::vector<Vec2>{{1, 2}, {3, 4}, {nan, 5}, {6, nan}, {7, 8}, {9, 10}},
+               "fill=\"none\"");
+  const auto lines = test::named(test::svg_elements(svg.document()), "polyline");
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[0].points() == std::vector<Vec2>{{1, 2}, {3, 4}});
+  CHECK(lines[1].points() == std::vector<Vec2>{{7, 8}, {9, 10}});
+  CHECK(svg.left_out() == 2);
+}
+
+TEST_CASE("any finite number has a text of plain decimals, and a picture a size") {
+  for (const double value : test::extreme_numbers)
+    if (std::isfinite(value))
+      CHECK(Svg::number(value).find_first_not_of("-.0123456789") == std::string::npos);
+  CHECK_THROWS_AS(Svg(std::nan(""), 100), InvalidInput);
+  CHECK_THROWS_AS(Svg(100, -1), InvalidInput);
 }

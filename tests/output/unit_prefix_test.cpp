@@ -6,6 +6,7 @@
 #include <string>
 
 #include <riprap/output/unit_prefix.hpp>
+#include <support/extreme_numbers.hpp>
 #include <support/near.hpp>
 
 using namespace riprap;
@@ -64,4 +65,12 @@ TEST_CASE("any finite number has a text of plain decimals") {
     CHECK(rounded_text(value).find_first_not_of("-.0123456789") == std::string::npos);
     CHECK(!rounded_text(value).empty());
   }
+}
+
+TEST_CASE("any number has a prefix and a text") {
+  for (const double value : test::extreme_numbers) {
+    CHECK(unit_prefix(value).factor > 0);
+    CHECK(!rounded_text(value).empty());
+  }
+  CHECK(rounded_text(std::nan("")) == "nan");
 }

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -81,4 +82,22 @@ TEST_CASE("what is saved is the document; what cannot be saved says so") {
   two_polygons().save(file.path());
   CHECK(file.text() == two_polygons().document());
   CHECK_THROWS_AS(two_polygons().save(file.path() + "/no/such/folder.vtp"), SimulationError);
+}
+
+TEST_CASE("cells with points or values that are not finite are left out, and the file says so") {
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    VtpFile file = two_polygons();
+    const std::vector<Vec2> lost{{0, 0}, {bad, 0}, {0, 1}};
+    file.add_cell(lost);
+    file.add_cell(triangle);
+    file.add_values("number", [&](std::size_t k) { return k == 0 ? bad : 1.0 * double(k); });
+    file.add_values("vector", [&](std::size_t k) { return Vec2{double(k), 0}; });
+    file.add_values("count", [](std::size_t k) { return k; });
+    const auto read = read_vtp(file.document());
+    CHECK(read.cells == std::vector<std::vector<Vec2>>{square, triangle});
+    CHECK(read.values("number") == std::vector<double>{1, 3});
+    CHECK(read.values("vector") == std::vector<double>{1, 0, 0, 3, 0, 0});
+    CHECK(read.values("count") == std::vector<double>{1, 3});
+    CHECK(file.document().find("<!-- left out: 2 cells") != std::string::npos);
+  }
 }

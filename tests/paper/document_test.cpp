@@ -42,6 +42,28 @@ TEST_CASE("the page in HTML") {
     CHECK_MESSAGE(!contains(html, part), part);
 }
 
+TEST_CASE("no mark of Markdown is left on the page in HTML, wherever a text may stand") {
+  const std::string text = "*One two*, **three *four* `f*i*ve`**, [`six` *7*](#x) and (*eight*).";
+  const std::string html =
+      "<em>One two</em>, <strong>three <em>four</em> <code>f*i*ve</code></strong>, "
+      "<a href=\"#x\"><code>six</code> <em>7</em></a> and (<em>eight</em>).";
+  for (const Document& document :
+       {Document{Heading{2, text, ""}}, Document{Paragraph{text}}, Document{List{{text}}},
+        Document{Table{{text}, {}}}, Document{Table{{"x"}, {{text}}}},
+        Document{Pictures{{{"one", text, "<svg/>"}}}}})
+    CHECK(contains(to_html(document, "title"), html));
+}
+
+TEST_CASE("what only looks like a mark is plain text, and no text is without end") {
+  const auto page = [](const std::string& text) { return to_html({Paragraph{text}}, "title"); };
+  for (const std::string text :
+       {"29.9* and 34.9*", "2 * 3 * 4", "a*b*c", "* one", "one *two", "**", "*", "***", "[open](x",
+        "[open", "[a] (b)", "open `code", "**open"})
+    CHECK_MESSAGE(contains(page(text), "<p>" + text + "</p>"), text);
+  CHECK(contains(page("[or not]; see [there](#top)"),
+                 "<p>[or not]; see <a href=\"#top\">there</a></p>"));
+}
+
 TEST_CASE("the page in Markdown") {
   const std::string text = to_markdown(example, "images");
   for (const std::string part :

@@ -56,14 +56,17 @@ struct SvgElement {
 };
 
 /// A reader for the part of XML that pictures use: elements, attributes in double quotes, text with
-/// the five named entities. Throws std::runtime_error at anything that is not well-formed.
+/// the five named entities, comments. Throws std::runtime_error at anything that is not
+/// well-formed.
 class SvgReader {
  public:
   explicit SvgReader(std::string_view document) : rest_(document) {}
 
   [[nodiscard]] std::vector<SvgElement> read() {
     do {
-      if (rest_.starts_with("</"))
+      if (rest_.starts_with("<!--"))
+        skip_comment();
+      else if (rest_.starts_with("</"))
         close();
       else if (rest_.starts_with("<"))
         open();
@@ -117,6 +120,11 @@ class SvgReader {
     if (open_.empty() || take_until(">") != elements_[open_.back()].name) fail("wrong closing");
     expect(">");
     open_.pop_back();
+  }
+  void skip_comment() {
+    const std::size_t end = rest_.find("-->");
+    if (end == std::string_view::npos) fail("a comment without end");
+    rest_.remove_prefix(end + 3);
   }
   void read_text() {
     if (open_.empty()) fail("text outside");

@@ -16,9 +16,11 @@ struct BiaxialResult {
     std::uint64_t steps = 0;
     double wall_seconds = 0;
     std::uint64_t saturated_steps = 0;  ///< in which a servo's rate was at its limit
-    bool reached_target = false;        ///< false: the cap on its steps ended the stage
+    /// False: the cap on its steps or a stop ended the stage, or it was not reached.
+    bool reached_target = false;
   };
   std::array<StageResult, 4> stages;  ///< in the order of Stage
+  bool interrupted = false;           ///< an observer's stop_requested ended the test
   double axial_rate = 0;              ///< of shear [1/s]
   double mean_confinement_error = 0;  ///< mean over all steps of shear of sigma_11 / pressure - 1
   double rms_confinement_error = 0;

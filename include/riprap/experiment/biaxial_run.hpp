@@ -58,6 +58,8 @@ class BiaxialRun {
     }
     stage(Stage::hydrostatic, [&] { return pressurise(); });
     stage(Stage::shear, [&] { return shear(); });
+    // Not if the stop came with the last step.
+    result_.interrupted = view_.interrupted && !outcome(Stage::shear).reached_target;
     return result_;
   }
 
@@ -109,6 +111,7 @@ class BiaxialRun {
 
   template <class Program>
   void stage(Stage stage, Program&& program) {
+    if (view_.interrupted) return;
     view_.stage = stage;
     view_.done = 0;
     view_.stretch = {1, 1};
@@ -123,7 +126,7 @@ class BiaxialRun {
     outcome(stage).steps = sim_.steps() - first_step;
     outcome(stage).wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-    view_.done = 1;
+    if (!view_.interrupted) view_.done = 1;
     tell([&](auto& o) { hooks::end_stage(o, view_); });
   }
 
@@ -140,6 +143,7 @@ class BiaxialRun {
       tell([&](auto& o) { hooks::record_break(o, view_, sim_.breaks()[i]); });
     // Steps with breaks take long.
     if (breaks != sim_.breaks().size()) progress(view_.done);
+    tell([&](auto& o) { view_.interrupted |= hooks::stop_requested(o, view_); });
   }
   void set_rate(const Vec2& rate) {
     view_.rate = rate;
@@ -156,12 +160,13 @@ class BiaxialRun {
   }
 
   // Steps, each after `steer()`, until `finished()`, asked now and then, says so; false if the cap
-  // on steps came first.
+  // on steps or a stop came first.
   template <class Steer, class Finished>
   bool step_until(Steer&& steer, Finished&& finished) {
     for (std::uint64_t n = 1; n <= test_.most_steps; ++n) {
       steer();
       step();
+      if (view_.interrupted) return false;
       if (n % check_interval != 0) continue;
       check_sample();
       if (finished()) return true;
@@ -195,7 +200,7 @@ class BiaxialRun {
                             kinetic_energy(sim_.particles()) <=
                                 test_.jam_kinetic_ratio * stored_energy(sim_.contacts());
                    });
-    if (!jammed)
+    if (!jammed && !view_.interrupted)
       throw SimulationError("compaction did not jam within " + std::to_string(test_.most_steps) +
                             " steps: mean stress " + to_text(stress().mean()) + " Pa");
     return jammed;
@@ -250,7 +255,7 @@ class BiaxialRun {
     double next_record = test_.record_every;
     result_.axial_rate = rate;
     record();
-    while (view_.axial_strain() < test_.axial_strain) {
+    while (view_.axial_strain() < test_.axial_strain && !view_.interrupted) {
       const double error = stress().s11 / p - 1;
       error_sum += error;
       error_squares += error * error;
@@ -264,7 +269,8 @@ class BiaxialRun {
         check_sample();
         progress(view_.axial_strain() / test_.axial_strain);
       }
-      if (view_.axial_strain() >= next_record || view_.axial_strain() >= test_.axial_strain) {
+      if (view_.axial_strain() >= next_record || view_.axial_strain() >= test_.axial_strain ||
+          view_.interrupted) {
         record();
         next_record += test_.record_every;
       }
@@ -274,7 +280,8 @@ class BiaxialRun {
       result_.mean_confinement_error = view_.mean_confinement_error;
       result_.rms_confinement_error = std::sqrt(error_squares / static_cast<double>(steps));
     }
-    return std::abs(result_.mean_confinement_error) <= test_.confinement_tolerance;
+    return view_.axial_strain() >= test_.axial_strain &&
+           std::abs(result_.mean_confinement_error) <= test_.confinement_tolerance;
   }
 
   void record() {

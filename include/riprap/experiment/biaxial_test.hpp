@@ -50,7 +50,9 @@ struct BiaxialTest {
 
   /// Runs all four stages. Observers get the hooks of a simulation step and, with a BiaxialView,
   /// `begin_stage`, `progress` (now and then), `record` (in shear, first and last state included)
-  /// and `end_stage`.
+  /// and `end_stage`. The test ends early after a step for which an observer's
+  /// `stop_requested(view)` is true: the stage is closed, in shear with a last record, and the
+  /// result says `interrupted`.
   template <class Sim, class... Observers>
   BiaxialResult run(Sim& sim, Observers&&... observers) const {
     (hooks::check_biaxial_observer<std::remove_cvref_t<Observers>, Sim>(), ...);

@@ -82,7 +82,7 @@ class RangeCheck {
       check(view, confinement_, std::abs(view.mean_confinement_error));
       check(view, saturated_, view.saturated_share);
     }
-    check(view, missed_, view.reached_target ? 0 : 1);
+    check(view, missed_, view.reached_target || view.interrupted ? 0 : 1);
   }
 
   /// Energy that contact law and splitting have made since the start of shear, over the work that

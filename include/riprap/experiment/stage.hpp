@@ -3,6 +3,8 @@
 /// @file
 /// The stages of a biaxial test and what an observer sees of them.
 
+#include <concepts>
+
 #include <riprap/core/vec2.hpp>
 #include <riprap/simulation/observer.hpp>
 
@@ -31,7 +33,8 @@ struct BiaxialView {
   const Sim& sim;
   Stage stage = Stage::compaction;
   double done = 0;                    ///< rough share of the stage that is done, in [0, 1]
-  bool reached_target = false;        ///< at end_stage; false: the cap on its steps ended the stage
+  bool reached_target = false;        ///< at end_stage; false: it was missed, or a stop came first
+  bool interrupted = false;           ///< an observer's stop_requested ended the test
   double confining_pressure = 0;      ///< [Pa]
   double mean_diameter = 0;           ///< of the circles of equal area, intact particles [m]
   Vec2 stretch{1, 1};                 ///< extent over that at the start of the stage, axes 1 and 2
@@ -73,7 +76,7 @@ template <class O, class Sim>
 consteval void check_biaxial_observer() {
   static_assert(BiaxialHooks<O, Sim>::any,
                 "riprap: an observer of a BiaxialTest must have one of the hooks begin_stage, "
-                "progress, record, record_break, end_stage, or one of a step "
+                "progress, record, record_break, stop_requested, end_stage, or one of a step "
                 "(docs/policies/observer.md)");
 }
 
@@ -114,7 +117,25 @@ inline constexpr auto record_break = []<class O, class View>(O& observer, const 
                   requires(View& other) { observer.record_break(other, event); }>();
 };
 
-/// A stage has ended; `view.reached_target` says how.
+template <class O, class View>
+concept StopRequest = requires(O& observer, const View& view) {
+  { observer.stop_requested(view) } -> std::convertible_to<bool>;
+};
+
+/// After every step; true ends the test here.
+inline constexpr auto stop_requested = []<class O, class View>(O& observer, const View& view) {
+  if constexpr (StopRequest<O, View>)
+    return static_cast<bool>(observer.stop_requested(view));
+  else if constexpr (requires { observer.stop_requested(view); })
+    static_assert(StopRequest<O, View>,
+                  "riprap: stop_requested of an observer must give back a bool");
+  else
+    check_no_hook<O, requires { requires IsFunction<&O::stop_requested>; },
+                  requires(View& other) { observer.stop_requested(other); }>();
+  return false;
+};
+
+/// A stage has ended; `view.reached_target` and `view.interrupted` say how.
 inline constexpr auto end_stage = []<class O, class View>(O& observer, const View& view) {
   if constexpr (requires { observer.end_stage(view); })
     observer.end_stage(view);

@@ -27,7 +27,8 @@ namespace internal {
 
 /// Draws every particle: boundary particles dark, intact ones pale, all pieces of one intact
 /// particle in one colour; a dot shows the share Rat of failed elements by its size.
-/// @param ratios Rat of every particle in the order of the bodies, or empty for no dots
+/// @param ratios Rat of every particle in the order of the bodies, or empty for no dots; none has a
+///               dot for less than 0.01, nor for not-a-number
 [[nodiscard]] inline Svg assembly_picture(const Particles& particles,
                                           const std::vector<double>& ratios,
                                           const std::string& title) {

@@ -18,6 +18,8 @@
 namespace riprap {
 
 /// Maps the plane to a picture of 900 pixels with room for a title above and a legend on the right.
+/// Points that are not finite or farther than 1e100 m from the origin do not widen it; without any
+/// other it is a metre wide.
 class AssemblyView {
  public:
   /// @param also points that are to be in the picture beside the particles
@@ -25,6 +27,7 @@ class AssemblyView {
     Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
     Vec2 high = -low;
     const auto include = [&](const Vec2& v) {
+      if (!has_place(v)) return;
       low = low.cwiseMin(v);
       high = high.cwiseMax(v);
     };
@@ -35,12 +38,14 @@ class AssemblyView {
       else
         for (const Vec2& v : particles.ring(i)) include(v);
     for (const Vec2& v : also) include(v);
+    if (!(low.x() <= high.x())) low = high = Vec2{0, 0};
     if (has_platens) {
       const double rim = platen_rim * (high - low).maxCoeff();
       low.array() -= rim;
       high.array() += rim;
     }
-    scale_ = extent / (high - low).maxCoeff();
+    const double size = (high - low).maxCoeff();
+    scale_ = extent / (size > 1 / farthest ? size : 1);
     centre_ = 0.5 * (low + high);
     half_ = 0.5 * scale_ * (high - low);
   }
@@ -56,7 +61,8 @@ class AssemblyView {
     const Vec2 d = scale_ * (x - centre_);
     return {margin + half_.x() + d.x(), header + margin + half_.y() - d.y()};
   }
-  /// The part of a convex ring that is in the window: platens reach out of it.
+  /// The part of a convex ring that is in the window: platens reach out of it. One with a vertex
+  /// that has no place in any window is mapped as it is, for the picture to leave out.
   [[nodiscard]] std::vector<Vec2> operator()(Ring ring) const {
     const Vec2 reach = half_ / scale_;
     const Vec2 across{reach.x(), -reach.y()};
@@ -66,7 +72,8 @@ class AssemblyView {
       return ((v - centre_).cwiseAbs() - reach).maxCoeff() > 1e-9 * reach.maxCoeff();
     };
     std::vector<Vec2> out;
-    if (std::none_of(ring.begin(), ring.end(), outside)) {
+    if (std::none_of(ring.begin(), ring.end(), outside) ||
+        !std::all_of(ring.begin(), ring.end(), has_place)) {
       for (const Vec2& v : ring) out.push_back((*this)(v));
     } else {
       const OverlapPolygon seen = overlap(window, ring, centre_, 0);
@@ -105,6 +112,11 @@ class AssemblyView {
   }
 
  private:
+  [[nodiscard]] static bool has_place(const Vec2& v) {
+    return std::abs(v.x()) <= farthest && std::abs(v.y()) <= farthest;
+  }
+
+  static constexpr double farthest = 1e100;   // [m]
   static constexpr double extent = 900;       // pixels of the larger side
   static constexpr int decimals = 1;          // of a pixel
   static constexpr double platen_rim = 0.04;  // of the sample, in which platens are seen

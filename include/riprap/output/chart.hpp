@@ -29,7 +29,9 @@ struct Series {
   std::vector<double> y_errors{};  ///< half the length of each point's error bar; empty for no bars
 };
 
-/// A chart; the axes end on round numbers.
+/// A chart; the axes end on round numbers. Values that have no place on an axis (ChartAxis), such
+/// as not-a-number, infinity and on a logarithmic axis zero and less, are left out; the picture
+/// says so, and the axes are those of the others.
 struct Chart {
   std::string title;
   std::string x_label;
@@ -39,7 +41,7 @@ struct Chart {
   AxisScale y_scale = AxisScale::linear;
 
   /// Draws into a rectangle of a picture. Throws InvalidInput if a series has error bars of another
-  /// number than its points, or a logarithmic axis a value that is not above 0.
+  /// number than its points.
   void draw(Svg& svg, const Vec2& corner, const Vec2& size) const {
     const Frame frame{x_axis(), y_axis(), corner + Vec2{margin_left, size.y() - margin_bottom},
                       corner + Vec2{size.x() - margin_right, margin_top}};
@@ -99,33 +101,40 @@ struct Chart {
     return s.y_errors.empty() ? 0 : s.y_errors[i];
   }
 
-  [[nodiscard]] static ChartAxis axis(AxisScale scale, double low, double high) {
-    return scale == AxisScale::linear ? ChartAxis::linear(low, high)
-                                      : ChartAxis::logarithmic(low, high);
-  }
-  [[nodiscard]] ChartAxis x_axis() const {
+  // The least and the largest value that has a place on an axis.
+  struct Extent {
+    AxisScale scale;
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
+
+    void include(double value) {
+      if (!ChartAxis::has_place(scale, value)) return;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+    [[nodiscard]] ChartAxis axis() const {
+      return scale == AxisScale::linear ? ChartAxis::linear(low, high)
+                                        : ChartAxis::logarithmic(low, high);
+    }
+  };
+  [[nodiscard]] ChartAxis x_axis() const {
+    Extent extent{x_scale};
     for (const Series& s : series)
-      for (const Vec2& p : s.points) {
-        low = std::min(low, p.x());
-        high = std::max(high, p.x());
-      }
-    return axis(x_scale, low, high);
+      for (const Vec2& p : s.points) extent.include(p.x());
+    return extent.axis();
   }
   [[nodiscard]] ChartAxis y_axis() const {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
+    Extent extent{y_scale};
     for (const Series& s : series) {
       require(s.y_errors.empty() || s.y_errors.size() == s.points.size(),
               "number of error bars of series \"" + s.name + "\"",
               static_cast<double>(s.y_errors.size()), "must be 0 or the number of points");
       for (std::size_t i = 0; i < s.points.size(); ++i) {
-        low = std::min(low, s.points[i].y() - y_error(s, i));
-        high = std::max(high, s.points[i].y() + y_error(s, i));
+        extent.include(s.points[i].y() - y_error(s, i));
+        extent.include(s.points[i].y() + y_error(s, i));
       }
     }
-    return axis(y_scale, low, high);
+    return extent.axis();
   }
 
   [[nodiscard]] static std::string line_style(const Series& s) {

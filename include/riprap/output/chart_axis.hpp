@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <riprap/core/errors.hpp>
@@ -24,12 +26,25 @@ struct AxisTick {
 /// Ends on the ticks next to the data.
 class ChartAxis {
  public:
+  /// Whether a value has a place on such an axis: up to 1e300 in size, on a logarithmic one 1e-300
+  /// or above.
+  [[nodiscard]] static bool has_place(AxisScale scale, double value) {
+    return std::abs(value) <= largest && (scale == AxisScale::linear || value >= 1 / largest);
+  }
+
   /// Ticks are 1, 2 or 5 times a power of ten apart. Without data, or with a single value, the axis
-  /// is of unit length.
+  /// is of unit length, or where the value is so large that a unit is nothing, half as long as that
+  /// on either side. Ends that have no place count as no data.
   [[nodiscard]] static ChartAxis linear(double low, double high) {
-    if (!(low < high)) {
-      low = std::isfinite(low) ? low - 0.5 : 0;
-      high = low + 1;
+    if (!has_place(AxisScale::linear, low) || !has_place(AxisScale::linear, high)) {
+      low = 0;
+      high = 1;
+    }
+    const double size = std::max(std::abs(low), std::abs(high));
+    if (!(high - low > std::max(1 / largest, 1e-15 * size))) {
+      const double half = 0.5 > 1e-9 * size ? 0.5 : 0.5 * size;
+      low -= half;
+      high = low + 2 * half;
     }
     const double raw = (high - low) / 5;
     const double decade = std::pow(10, std::floor(std::log10(raw)));
@@ -50,13 +65,16 @@ class ChartAxis {
 
   /// Ticks are 1, 2 and 5 times the powers of ten, or over more than four decades these powers
   /// alone. Without data the axis is the decade from 1 to 10.
-  /// Throws InvalidInput unless all data lie above 0.
+  /// Throws InvalidInput unless all data have a place on it.
   [[nodiscard]] static ChartAxis logarithmic(double low, double high) {
     if (!(low <= high)) {
       low = 1;
       high = 10;
     }
     require(low > 0, "value on a logarithmic axis", low, "must lie above 0");
+    for (const double end : {low, high})
+      require(has_place(AxisScale::logarithmic, end), "value on a logarithmic axis", end,
+              "must lie between 1e-300 and 1e300");
     if (low == high) {
       low /= 2;
       high *= 2;
@@ -92,23 +110,32 @@ class ChartAxis {
   [[nodiscard]] bool is_zero(const AxisTick& tick) const { return std::abs(tick.value) < small_; }
 
  private:
+  static constexpr double largest = 1e300;
+  static constexpr std::size_t longest_label = 16;  // characters
+
   // As many decimals as the tick needs.
   [[nodiscard]] static std::string fixed_text(double value, double tick) {
     const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(tick) - 1e-9)));
     if (std::abs(value) < 1e-6 * tick) value = 0;
-    char buffer[64];
+    char buffer[longest_label];
     const auto end =
-        std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals)
-            .ptr;
-    return {buffer, end};
+        std::to_chars(buffer, buffer + longest_label, value, std::chars_format::fixed, decimals);
+    return end.ec == std::errc() ? std::string(buffer, end.ptr) : short_text(value);
   }
 
   // The shortest decimals that read back as the value.
   [[nodiscard]] static std::string plain_text(double value) {
-    char buffer[400];
+    char buffer[longest_label];
+    const auto end = std::to_chars(buffer, buffer + longest_label, value, std::chars_format::fixed);
+    return end.ec == std::errc() ? std::string(buffer, end.ptr) : short_text(value);
+  }
+
+  // Six digits and an exponent, for numbers that would be long.
+  [[nodiscard]] static std::string short_text(double value) {
+    char buffer[longest_label];
     const auto end =
-        std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed).ptr;
-    return {buffer, end};
+        std::to_chars(buffer, buffer + longest_label, value, std::chars_format::general, 6);
+    return {buffer, end.ptr};
   }
 
   AxisScale scale_ = AxisScale::linear;

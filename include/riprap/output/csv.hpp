@@ -22,19 +22,27 @@ namespace riprap {
 template <class Row>
 using CsvColumns = std::vector<std::pair<std::string_view, std::function<std::string(const Row&)>>>;
 
+/// The line of names.
+template <class Row>
+[[nodiscard, gnu::cold]] std::string csv_header(const CsvColumns<Row>& columns) {
+  std::string text;
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    text += (c ? "," : "") + std::string(columns[c].first);
+  return text + '\n';
+}
+/// The line of one row.
+template <class Row>
+[[nodiscard, gnu::cold]] std::string csv_line(const CsvColumns<Row>& columns, const Row& row) {
+  std::string text;
+  for (std::size_t c = 0; c < columns.size(); ++c) text += (c ? "," : "") + columns[c].second(row);
+  return text + '\n';
+}
 /// The table as text.
 template <class Row>
 [[nodiscard, gnu::cold]] std::string csv_text(const CsvColumns<Row>& columns,
                                               const std::vector<Row>& rows) {
-  std::string text;
-  for (std::size_t c = 0; c < columns.size(); ++c)
-    text += (c ? "," : "") + std::string(columns[c].first);
-  text += '\n';
-  for (const Row& row : rows) {
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      text += (c ? "," : "") + columns[c].second(row);
-    text += '\n';
-  }
+  std::string text = csv_header(columns);
+  for (const Row& row : rows) text += csv_line(columns, row);
   return text;
 }
 
@@ -65,11 +73,11 @@ template <class Row, class Value>
 
 }  // namespace internal
 
-/// The curve, a row per record. Directions in rad from axis 1, stresses in Pa.
-[[nodiscard, gnu::cold]] inline std::string curve_csv(const Curve& curve) {
+/// Columns of the curve, a row per record. Directions in rad from axis 1, stresses in Pa.
+[[nodiscard, gnu::cold]] inline CsvColumns<CurvePoint> curve_columns() {
   using P = CurvePoint;
   const auto c = [](std::string_view name, auto value) { return internal::column<P>(name, value); };
-  const CsvColumns<P> columns{
+  return {
       c("axial_strain", &P::axial_strain),
       c("volumetric_strain", &P::volumetric_strain),
       c("porosity", &P::porosity),
@@ -100,16 +108,15 @@ template <class Row, class Value>
       c("energy_error", &P::energy_error),
       c("lost_particles", &P::lost_particles),
   };
-  return csv_text(columns, curve.points());
 }
 
-/// The energy ledger of shear, a row per record, in J.
-[[nodiscard, gnu::cold]] inline std::string energy_csv(const Curve& curve) {
+/// Columns of the energy ledger of shear, a row per record, in J.
+[[nodiscard, gnu::cold]] inline CsvColumns<CurvePoint> energy_columns() {
   using P = CurvePoint;
   const auto term = [](std::string_view name, double EnergyTerms::*value) {
     return internal::column<P>(name, [value](const P& p) { return p.energy.*value; });
   };
-  const CsvColumns<P> columns{
+  return {
       internal::column<P>("axial_strain", &P::axial_strain),
       term("boundary_work", &EnergyTerms::boundary_work),
       term("body_force_work", &EnergyTerms::body_force_work),
@@ -122,14 +129,13 @@ template <class Row, class Value>
       term("law_residual", &EnergyTerms::law_residual),
       internal::column<P>("unclosed", [](const P& p) { return p.energy.unclosed(); }),
   };
-  return csv_text(columns, curve.points());
 }
 
-/// Every break of a biaxial test. The line is given by a point [m] and an angle [rad].
-[[nodiscard, gnu::cold]] inline std::string breakages_csv(const Curve& curve) {
+/// Columns of the breaks of a biaxial test. The line is given by a point [m] and an angle [rad].
+[[nodiscard, gnu::cold]] inline CsvColumns<BiaxialBreak> breakage_columns() {
   using B = BiaxialBreak;
   const auto c = [](std::string_view name, auto value) { return internal::column<B>(name, value); };
-  const CsvColumns<B> columns{
+  return {
       c("step", [](const B& b) { return b.event.step; }),
       c("stage", [](const B& b) { return to_text(b.stage); }),
       c("axial_strain", &B::axial_strain),
@@ -155,7 +161,17 @@ template <class Row, class Value>
       c("area_1", [](const B& b) { return b.event.areas[0]; }),
       c("area_2", [](const B& b) { return b.event.areas[1]; }),
   };
-  return csv_text(columns, curve.breaks());
+}
+
+/// The whole tables.
+[[nodiscard, gnu::cold]] inline std::string curve_csv(const Curve& curve) {
+  return csv_text(curve_columns(), curve.points());
+}
+[[nodiscard, gnu::cold]] inline std::string energy_csv(const Curve& curve) {
+  return csv_text(energy_columns(), curve.points());
+}
+[[nodiscard, gnu::cold]] inline std::string breakages_csv(const Curve& curve) {
+  return csv_text(breakage_columns(), curve.breaks());
 }
 
 /// Writes curve_csv to a file; throws SimulationError if that fails.

@@ -3,6 +3,7 @@
 /// @file
 /// A picture of the contact forces: lines from centroid to centroid, in classes of normal force.
 
+#include <cmath>
 #include <string>
 
 #include <riprap/output/assembly_view.hpp>
@@ -22,7 +23,7 @@ namespace internal {
 }  // namespace internal
 
 /// Draws particles as outlines and normal forces as lines, the strongest class on top, in the
-/// manner of the paper's Fig. 11.
+/// manner of the paper's Fig. 11. Forces that are not a number are left out.
 /// @throws InvalidInput if the classes are not in order
 template <class Contacts>
 [[nodiscard]] Svg force_chain_picture(const Particles& particles, const Contacts& contacts,
@@ -37,6 +38,7 @@ template <class Contacts>
     contacts.for_each_touching([&](const auto& c) {
       // Zero where particles just touch.
       if (c.force.normal == 0 || classes(c.force.normal) != k) return;
+      if (std::isnan(c.force.normal)) return svg.leave_out();
       // A half in each particle: a chain runs through the particles it loads. Across a periodic
       // cell each half stays with its own; a platen has none.
       const auto half = [&](BodyIndex i, const Vec2& arm) {

@@ -37,7 +37,7 @@ struct ForceClasses {
 
   [[nodiscard]] std::size_t size() const { return bounds.size() + 1; }
 
-  /// Class of a normal force [N], 0 for the weakest.
+  /// Class of a normal force [N], 0 for the weakest; not-a-number counts as the strongest.
   [[nodiscard]] std::size_t operator()(double force) const {
     return static_cast<std::size_t>(std::upper_bound(bounds.begin(), bounds.end(), force) -
                                     bounds.begin());

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,11 @@ inline void arrows(Svg& svg, const std::vector<std::array<Vec2, 2>>& all,
   std::vector<std::array<Vec2, 3>> heads;
   for (const auto& [from, to] : all) {
     const double length = (to - from).norm();
-    if (!(length >= 0.5)) continue;
+    if (length < 0.5) continue;
+    if (!std::isfinite(length)) {
+      svg.leave_out();
+      continue;
+    }
     const Vec2 along = (to - from) / length;
     const double head = std::min(7.0, 0.35 * length);
     const Vec2 neck = to - head * along;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -77,18 +78,34 @@ template <class Sim>
 /// Writes `particles_0000.vtp`, `contacts_0000.vtp` and so on into a folder, and beside them the
 /// two collections to open, `particles.pvd` and `contacts.pvd`. As an observer of BiaxialTest it
 /// writes at each record, and the time of the series is the axial strain; elsewhere call `write`.
+/// The first state removes the files of an earlier series from the folder.
 class ParaViewSeries {
  public:
   /// The folder is made when the first state is written.
   explicit ParaViewSeries(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// Removes the files of a series, by their names, and the folder if nothing else is in it.
+  static void remove(const std::filesystem::path& folder) {
+    std::error_code ignored;  // what cannot be removed shows when it is written
+    std::vector<std::filesystem::path> found;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+      if (entry.is_regular_file(ignored) && is_of_series(entry.path().filename().string()))
+        found.push_back(entry.path());
+    for (const auto& path : found) std::filesystem::remove(path, ignored);
+    // Fails, as it should, where something else is in the folder.
+    if (!found.empty() && !std::filesystem::is_symlink(folder, ignored))
+      std::filesystem::remove(folder, ignored);
+  }
 
   /// Adds the present state.
   /// @param time what ParaView shows as time: sim.time() [s], a strain [-], larger at each call
   /// @throws SimulationError if a file cannot be written
   template <class Sim>
   void write(const Sim& sim, double time) {
-    std::error_code ignored;  // a folder that cannot be made shows when a file is written
-    std::filesystem::create_directories(folder_, ignored);
+    if (times_.empty()) {
+      remove(folder_);
+      make_folder(folder_);
+    }
     const std::string file = "_" + number_text(times_.size()) + ".vtp";
     particles_vtp(sim).save(folder_ / ("particles" + file));
     contacts_vtp(sim).save(folder_ / ("contacts" + file));
@@ -104,6 +121,19 @@ class ParaViewSeries {
   }
 
  private:
+  // "particles_0123.vtp", "contacts.pvd" and the like, or what a killed program left of one.
+  [[nodiscard]] static bool is_of_series(std::string_view name) {
+    if (name.ends_with(".part")) name.remove_suffix(5);
+    for (const std::string_view kind : {"particles", "contacts"}) {
+      if (!name.starts_with(kind)) continue;
+      const std::string_view rest = name.substr(kind.size());
+      if (rest == ".pvd") return true;
+      if (!rest.starts_with('_') || !rest.ends_with(".vtp")) return false;
+      const std::string_view digits = rest.substr(1, rest.size() - 5);
+      return digits.size() >= 4 && digits.find_first_not_of("0123456789") == digits.npos;
+    }
+    return false;
+  }
   [[nodiscard]] static std::string number_text(std::size_t number) {
     const std::string digits = std::to_string(number);
     return std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;

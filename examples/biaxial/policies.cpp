@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSL-1.0
+// The policies that the options stand for.
+
+#include "policies.hpp"
+
+AnyCriterion chosen_criterion(const Options& options) {
+  if (options.criterion == "mohr-coulomb") return {options.mohr_coulomb};
+  if (options.criterion == "griffith") return {options.griffith};
+  if (options.criterion == "modified-griffith") return {options.modified_griffith};
+  if (options.criterion == "murrell") return {options.murrell};
+  if (options.criterion == "hobbs") return {options.hobbs};
+  if (options.criterion == "franklin") return {options.franklin};
+  return {options.hoek_brown};
+}
+
+AnyLineFit chosen_line_fit(const Options& options) {
+  if (options.line_fit == "x") return {riprap::WeightedX{}};
+  if (options.line_fit == "y") return {riprap::WeightedY{}};
+  return {riprap::WeightedXY{}};
+}
+
+AnyPlane chosen_plane(const Options& options) {
+  if (options.plane == "strain") return {riprap::PlaneStrain{}};
+  return {riprap::PlaneStress{}};
+}
+
+AnyContact chosen_contact(const Options& options) {
+  if (options.contact == "area") return {options.area};
+  if (options.contact == "dashpot") return {options.dashpot};
+  return {options.linear};
+}
+
+AnyIntegrator chosen_integrator(const Options& options) {
+  if (options.integrator == "verlet") return {riprap::VelocityVerlet{}};
+  return {riprap::SymplecticEuler{}};
+}
+
+AnySupport chosen_support(const Options& options) {
+  if (options.support == "pinned") return {riprap::TwoPinnedContacts{}};
+  return {riprap::InertiaRelief{}};
+}

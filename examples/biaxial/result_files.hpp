@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+// The files that a run leaves in its folder.
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include <riprap/output/paraview.hpp>
+
+inline constexpr std::array result_files{
+    "curves.svg",       "assembly_before.svg", "assembly_after.svg", "forces_before.svg",
+    "forces_after.svg", "displacement.svg",    "curve.csv",          "energy.csv",
+    "breakages.csv",    "summary.json",        "parameters.toml"};
+
+inline std::filesystem::path paraview_folder(const std::filesystem::path& folder) {
+  return folder / "paraview";
+}
+
+// Removes the files of an earlier run, and nothing else: what the new run does not write again
+// would be taken for its own.
+inline void remove_results(const std::filesystem::path& folder) {
+  std::error_code ignored;  // what cannot be removed shows when it is written
+  for (const std::string name : result_files)
+    for (const std::string& file : {name, name + ".part"})  // of a run that was killed
+      if (!std::filesystem::is_directory(folder / file, ignored))
+        std::filesystem::remove(folder / file, ignored);
+  riprap::ParaViewSeries::remove(paraview_folder(folder));
+}
+
+// Those that are there, separated by commas.
+inline std::string present_results(const std::filesystem::path& folder) {
+  std::string out;
+  std::error_code ignored;
+  for (const char* name : result_files)
+    if (std::filesystem::exists(folder / name, ignored))
+      out += (out.empty() ? "" : ", ") + std::string(name);
+  return out;
+}

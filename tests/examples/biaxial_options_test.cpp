@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <biaxial/options.hpp>
+#include <biaxial/policies.hpp>
+
+#include <doctest/doctest.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <riprap/output/file.hpp>
+#include <support/message_of.hpp>
+#include <support/temporary_file.hpp>
+
+using riprap::test::contains;
+using riprap::test::message_of;
+
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+std::string refusal(const Arguments& arguments) {
+  try {
+    (void)options_from(arguments);
+  } catch (const CLI::ParseError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+Options read_back(const std::string& toml) {
+  const riprap::test::TemporaryFile file;
+  riprap::write_file(file.path(), toml);
+  return options_from({"--config", file.path()});
+}
+
+/// What the library says of the options, in the words of the command.
+std::string error_of(const Arguments& arguments) {
+  const Options o = options_from(arguments);
+  const std::string message = message_of([&] {
+    o.assembly.validate();
+    o.test.validate();
+    o.rock.validate();
+    riprap::Model{}
+        .broad_phase(o.broad_phase)
+        .contact(chosen_contact(o))
+        .damping(o.damping)
+        .time_step(o.time_step)
+        .mesher(o.mesher)
+        .criterion(chosen_criterion(o))
+        .trigger(o.trigger)
+        .splitter(o.splitter)
+        .check_every(o.check_every)
+        .validate();
+  });
+  return command_line::in_options(message, o.names);
+}
+
+}  // namespace
+
+TEST_CASE("without options the defaults are those of the library") {
+  const Options o = options_from({});
+  CHECK(o.assembly.count == 500);
+  CHECK(o.assembly.seed == 1);
+  CHECK(o.test.confining_pressure == 2e6);
+  CHECK(o.test.axial_strain == 0.2);
+  CHECK(o.compiled_in());
+  CHECK(std::get<riprap::HoekBrown>(chosen_criterion(o).chosen).m_b == riprap::HoekBrown{}.m_b);
+  CHECK(o.area.area_stiffness == riprap::OverlapAreaSpring{}.area_stiffness);
+}
+
+TEST_CASE("the file of parameters repeats the run, whatever was chosen") {
+  const std::vector<Arguments> runs{
+      {},
+      {"--seed", "18446744073709551615", "--pressure", "0.1e7", "--strain", "0.30000000000000004",
+       "--young", "1.2345678901234567e10", "--vertices", "4", "--paraview", "--breakage", "off"},
+      {"--contact", "area", "--mean-diameter", "0.003", "--friction", "0.3333333333333333"},
+      {"--contact", "area", "--mean-diameter", "0.003", "--area-stiffness", "1e12",
+       "--largest-chord", "0.01", "--boundary", "platens"},
+      {"--contact", "dashpot", "--damping-ratio", "0.7", "--dashpot-may-pull", "--boundary",
+       "periodic", "--integrator", "verlet", "--support", "pinned", "--plane", "strain"},
+      {"--hoek-brown-angle", "tangent", "--m-b", "17", "--s", "0.9", "--a-b", "0.6"},
+      {"--criterion", "mohr-coulomb", "--cohesion", "1e7", "--friction-angle", "0.7"},
+      {"--criterion", "griffith", "--tensile-strength", "1e7"},
+      {"--criterion", "modified-griffith", "--crack-friction", "0.9"},
+      {"--criterion", "murrell"},
+      {"--criterion", "hobbs", "--hobbs-factor", "4", "--strength-exponent", "0.6"},
+      {"--criterion", "franklin", "--compressive-strength", "2e8", "--strength-exponent", "0.9"}};
+  for (const Arguments& arguments : runs) {
+    const Options first = options_from(arguments);
+    CAPTURE(first.toml);
+    const Options again = read_back(first.toml);
+    CHECK(again.toml == first.toml);
+    CHECK(again.assembly.seed == first.assembly.seed);
+    CHECK(again.test.axial_strain == first.test.axial_strain);
+    CHECK(again.rock.young == first.rock.young);
+    CHECK(again.breakage == first.breakage);
+    CHECK(again.paraview == first.paraview);
+    CHECK(again.area.area_stiffness == first.area.area_stiffness);
+    CHECK(again.dashpot.may_pull == first.dashpot.may_pull);
+    CHECK(again.hoek_brown.angle == first.hoek_brown.angle);
+    CHECK(again.hobbs.exponent == first.hobbs.exponent);
+    // What changes no result is not in it.
+    for (const std::string name : {"\nout", "\nthreads", "\ntimer", "\nconfig"})
+      CHECK(!contains(first.toml, name));
+  }
+}
+
+TEST_CASE(
+    "the file of parameters has a line for every parameter of the default model and the test") {
+  const std::string toml = options_from({}).toml;
+  for (const std::string name : {"particles",
+                                 "seed",
+                                 "mean-diameter",
+                                 "smallest-diameter",
+                                 "largest-diameter",
+                                 "thickness",
+                                 "vertices",
+                                 "smallest-axis-ratio",
+                                 "largest-axis-ratio",
+                                 "angle-jitter",
+                                 "solid-fraction",
+                                 "dense-fraction",
+                                 "boundary-spacing",
+                                 "pressure",
+                                 "strain",
+                                 "inertial-number",
+                                 "record-every",
+                                 "jam-pressure",
+                                 "jam-kinetic-ratio",
+                                 "compaction-inertial-number",
+                                 "rest-unbalanced-force",
+                                 "hydrostatic-tolerance",
+                                 "hydrostatic-unbalanced-force",
+                                 "most-steps",
+                                 "young",
+                                 "poisson",
+                                 "density",
+                                 "contact",
+                                 "friction",
+                                 "normal-stiffness",
+                                 "tangential-stiffness",
+                                 "relative-skin",
+                                 "boundary",
+                                 "integrator",
+                                 "local-damping",
+                                 "time-step-fraction",
+                                 "plane",
+                                 "support",
+                                 "mesh-triangles",
+                                 "breakage",
+                                 "criterion",
+                                 "compressive-strength",
+                                 "m-b",
+                                 "s",
+                                 "a-b",
+                                 "hoek-brown-angle",
+                                 "ratf",
+                                 "line-fit",
+                                 "minimum-piece-area",
+                                 "maximum-piece-aspect",
+                                 "check-every"})
+    CHECK_MESSAGE(contains(toml, "\n" + name + " = "), name);
+}
+
+TEST_CASE("a value that breaks a rule of the library is refused by the name of its option") {
+  const std::vector<std::pair<Arguments, std::string>> cases{
+      {{"--particles", "29"}, "--particles = 29: "},
+      {{"--mean-diameter", "0"}, "--mean-diameter = 0: "},
+      {{"--smallest-diameter", "2"}, "--smallest-diameter = 2: "},
+      {{"--largest-diameter", "0.5"}, "--largest-diameter = 0.5: "},
+      {{"--thickness", "-1"}, "--thickness = -1: "},
+      {{"--vertices", "2"}, "--vertices = 2: "},
+      {{"--vertices", "5-4"}, "--vertices = 4: "},
+      {{"--smallest-axis-ratio", "0"}, "--smallest-axis-ratio = 0: "},
+      {{"--largest-axis-ratio", "0.5"}, "--largest-axis-ratio = 0.5: must lie between --smallest-"},
+      {{"--angle-jitter", "1"}, "--angle-jitter = 1: "},
+      {{"--solid-fraction", "0.6"}, "--solid-fraction = 0.6: "},
+      {{"--dense-fraction", "0.1"}, "--dense-fraction = 0.1: must lie above --solid-fraction"},
+      {{"--boundary-spacing", "0"}, "--boundary-spacing = 0: "},
+      {{"--pressure", "-2e6"}, "--pressure = -2e+06: "},
+      {{"--strain", "0.9"}, "--strain = 0.9: "},
+      {{"--inertial-number", "0"}, "--inertial-number = 0: "},
+      {{"--record-every", "0"}, "--record-every = 0: "},
+      {{"--jam-pressure", "0"}, "--jam-pressure = 0: "},
+      {{"--jam-kinetic-ratio", "0"}, "--jam-kinetic-ratio = 0: "},
+      {{"--compaction-inertial-number", "0"}, "--compaction-inertial-number = 0: "},
+      {{"--rest-unbalanced-force", "0"}, "--rest-unbalanced-force = 0: "},
+      {{"--hydrostatic-tolerance", "0"}, "--hydrostatic-tolerance = 0: "},
+      {{"--hydrostatic-unbalanced-force", "0"}, "--hydrostatic-unbalanced-force = 0: "},
+      {{"--young", "0"}, "--young = 0: "},
+      {{"--poisson", "0.5"}, "--poisson = 0.5: "},
+      {{"--density", "0"}, "--density = 0: "},
+      {{"--friction", "-1"}, "--friction = -1: "},
+      {{"--friction", "-1", "--contact", "area"}, "--friction = -1: "},
+      {{"--friction", "-1", "--contact", "dashpot"}, "--friction = -1: "},
+      {{"--normal-stiffness", "0"}, "--normal-stiffness = 0: "},
+      {{"--normal-stiffness", "0", "--contact", "dashpot"}, "--normal-stiffness = 0: "},
+      {{"--tangential-stiffness", "-1"}, "--tangential-stiffness = -1: "},
+      {{"--area-stiffness", "0", "--contact", "area"}, "--area-stiffness = 0: "},
+      {{"--largest-chord", "0", "--contact", "area"}, "--largest-chord = 0: "},
+      {{"--damping-ratio", "1", "--contact", "dashpot"}, "--damping-ratio = 1: "},
+      {{"--relative-skin", "-1"}, "--relative-skin = -1: "},
+      {{"--local-damping", "1"}, "--local-damping = 1: "},
+      {{"--time-step-fraction", "0"}, "--time-step-fraction = 0: "},
+      {{"--mesh-triangles", "3"}, "--mesh-triangles = 3: "},
+      {{"--compressive-strength", "0"}, "--compressive-strength = 0: "},
+      {{"--m-b", "0"}, "--m-b = 0: "},
+      {{"--s", "0"}, "--s = 0: "},
+      {{"--a-b", "0"}, "--a-b = 0: "},
+      {{"--cohesion", "0", "--criterion", "mohr-coulomb"}, "--cohesion = 0: "},
+      {{"--friction-angle", "2", "--criterion", "mohr-coulomb"}, "--friction-angle = 2: "},
+      {{"--tensile-strength", "0", "--criterion", "mohr-coulomb"}, "--tensile-strength = 0: "},
+      {{"--tensile-strength", "0", "--criterion", "griffith"}, "--tensile-strength = 0: "},
+      {{"--tensile-strength", "0", "--criterion", "modified-griffith"}, "--tensile-strength = 0: "},
+      {{"--tensile-strength", "0", "--criterion", "murrell"}, "--tensile-strength = 0: "},
+      {{"--tensile-strength", "0", "--criterion", "hobbs"}, "--tensile-strength = 0: "},
+      {{"--tensile-strength", "0", "--criterion", "franklin"}, "--tensile-strength = 0: "},
+      {{"--crack-friction", "0", "--criterion", "modified-griffith"}, "--crack-friction = 0: "},
+      {{"--hobbs-factor", "0", "--criterion", "hobbs"}, "--hobbs-factor = 0: "},
+      {{"--strength-exponent", "0", "--criterion", "hobbs"}, "--strength-exponent = 0: "},
+      {{"--strength-exponent", "0", "--criterion", "franklin"}, "--strength-exponent = 0: "},
+      {{"--ratf", "-0.1"}, "--ratf = -0.1: "},
+      {{"--minimum-piece-area", "-1"}, "--minimum-piece-area = -1: "},
+      {{"--maximum-piece-aspect", "0.5"}, "--maximum-piece-aspect = 0.5: "},
+      {{"--check-every", "0"}, "--check-every = 0: "}};
+  for (const auto& [arguments, beginning] : cases)
+    CHECK_MESSAGE(error_of(arguments).starts_with(beginning), error_of(arguments));
+  CHECK(error_of({}) == "");
+}
+
+TEST_CASE("parameters of a law or a criterion that is not chosen are refused, not ignored") {
+  for (const Arguments& arguments :
+       std::vector<Arguments>{{"--cohesion", "1e7"},
+                              {"--tensile-strength", "1e7"},
+                              {"--m-b", "20", "--criterion", "griffith"},
+                              {"--compressive-strength", "1e8", "--criterion", "murrell"},
+                              {"--crack-friction", "0.5", "--criterion", "griffith"},
+                              {"--hobbs-factor", "4", "--criterion", "franklin"},
+                              {"--hoek-brown-angle", "tangent", "--criterion", "hobbs"},
+                              {"--damping-ratio", "0.1"},
+                              {"--dashpot-may-pull", "--contact", "area"},
+                              {"--normal-stiffness", "1e7", "--contact", "area"},
+                              {"--area-stiffness", "1e12"},
+                              {"--dense-fraction", "0.9", "--boundary", "periodic"},
+                              {"--boundary-spacing", "1", "--boundary", "platens"}})
+    CHECK_MESSAGE(contains(refusal(arguments), arguments.front() + ": goes with --"),
+                  refusal(arguments));
+}
+
+TEST_CASE("counts are read strictly") {
+  for (const std::string option :
+       {"--seed", "--particles", "--mesh-triangles", "--check-every", "--most-steps", "--threads"})
+    for (const std::string value : {"-1", "-18446744073709551615", "1.5", "", "010x"}) {
+      CAPTURE(option);
+      CAPTURE(value);
+      CHECK(contains(refusal({option, value}), option + ": "));
+    }
+  for (const std::string value : {"-3", "3-", "3-5-7", "a", "", "3-65", "3--5", "0x3"})
+    CHECK(contains(refusal({"--vertices", value}), "--vertices: '" + value + "' is neither"));
+  CHECK(contains(refusal({"--threads", "0"}), "--threads: "));
+  CHECK(options_from({"--vertices", "4"}).assembly.shape.most_vertices == 4);
+}
+
+TEST_CASE("the spring of the overlap area keeps its stiffness at a chord of the mean diameter") {
+  const Options o = options_from({"--contact", "area", "--mean-diameter", "0.032"});
+  CHECK(o.area.largest_chord == 0.032);
+  CHECK(o.area.area_stiffness == riprap::OverlapAreaSpring{}.area_stiffness / 4);
+}
