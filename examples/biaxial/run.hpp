@@ -119,12 +119,12 @@ struct OptionalSeries {
   }
 };
 
-// What was recorded is in the tables already; a chart of it must not hide why the run failed.
 inline void save_charts(const riprap::Curve& curve, const std::filesystem::path& folder) {
   if (!curve.points().empty())
     riprap::chart_sheet(riprap::curve_charts(curve)).save(folder / "curves.svg");
 }
 
+// What was recorded is in the tables already; an error here must not hide why the run failed.
 template <class Sim>
 void keep_failed_run(const Options& o, const Sim& sim, const riprap::Curve& curve,
                      const std::vector<std::string>& warnings, const std::string& error) {

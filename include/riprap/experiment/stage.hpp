@@ -67,8 +67,10 @@ struct BiaxialHooks : StepHooks<O, Sim> {
   } || requires { requires IsFunction<&O::record_break>; };
   static constexpr bool end_stage = requires(O& o, View& view) { o.end_stage(view); } ||
                                     requires { requires IsFunction<&O::end_stage>; };
-  static constexpr bool any =
-      StepHooks<O, Sim>::any || begin_stage || progress || record || record_break || end_stage;
+  static constexpr bool stop_requested = requires(O& o, View& view) { o.stop_requested(view); } ||
+                                         requires { requires IsFunction<&O::stop_requested>; };
+  static constexpr bool any = StepHooks<O, Sim>::any || begin_stage || progress || record ||
+                              record_break || stop_requested || end_stage;
 };
 
 /// Refuses an observer that a biaxial test would never call: a hook may be misspelt.
