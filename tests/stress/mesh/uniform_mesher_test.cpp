@@ -176,6 +176,14 @@ TEST_CASE("splinters are covered exactly") {
   }
 }
 
+// Rows between them have no points, and the crossing with the upper edge lies far beyond its ends.
+TEST_CASE("edges that are parallel but for round-off are meshed at once" * doctest::timeout(1)) {
+  const ConvexPolygon strip = centred({{0.51, 0}, {0.5, 0.3}, {-0.5, 0.3 - 2e-10}, {-0.51, 0}});
+  const Mesh mesh = UniformMesher{4}(strip.ring());
+  check_cover(strip, mesh);
+  check_conforming(mesh);
+}
+
 TEST_CASE("a splinter too thin for the integers of its triangulation is refused") {
   const auto mesh_of = [](double width) {
     return UniformMesher{}(test::rectangle(1, width).ring());

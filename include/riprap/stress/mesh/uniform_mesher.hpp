@@ -130,7 +130,7 @@ struct UniformMesher {
       else if (slope < 0)
         most = std::min(most, missing / slope);
       else if (missing > 0)
-        most = least - 1;
+        most = std::min(most, least - 1);
     }
   };
   // The points of a row that may lie inside, and those that surely do, whatever round-off says:
