@@ -69,7 +69,7 @@ namespace internal {
 /// Area in extended precision, for rings whose width is a small share of their length.
 [[nodiscard]] inline long double extended_area(Ring ring) {
   const auto from_first = [&](std::size_t i, Eigen::Index axis) {
-    return static_cast<long double>(ring[i][axis]) - ring[0][axis];
+    return static_cast<long double>(ring[i][axis]) - static_cast<long double>(ring[0][axis]);
   };
   long double twice_area = 0;
   for (std::size_t i = 1; i + 1 < ring.size(); ++i)
@@ -109,16 +109,23 @@ namespace internal {
   CutRings parts;
   parts.left.reserve(ring.size() + 1);
   parts.right.reserve(ring.size() + 1);
+  std::vector<Vec2> ends;
+  ends.reserve(2);
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (sides[i] >= 0) parts.left.push_back(ring[i]);
     if (sides[i] <= 0) parts.right.push_back(ring[i]);
+    if (sides[i] == 0) ends.push_back(ring[i]);
     const std::size_t next = (i + 1) % ring.size();
     if (sides[i] * sides[next] >= 0) continue;
     const double share = distances[i] / (distances[i] - distances[next]);
-    const Vec2 x = point_on_edge(ring[i], ring[next], share, negligible);
-    parts.left.push_back(x);
-    parts.right.push_back(x);
+    ends.push_back(point_on_edge(ring[i], ring[next], share, negligible));
+    // Without a snap distance an end may be rounded to a vertex, which one piece then has already.
+    const bool leaves_left = sides[i] > 0;
+    if (ends.back() != ring[leaves_left ? i : next]) parts.left.push_back(ends.back());
+    if (ends.back() != ring[leaves_left ? next : i]) parts.right.push_back(ends.back());
   }
+  if (ends.front() == ends.back() || parts.left.size() < 3 || parts.right.size() < 3)
+    return std::nullopt;
   return parts;
 }
 
@@ -138,7 +145,8 @@ namespace internal {
   const long double area = internal::extended_area(ring);
   const long double miss =
       internal::extended_area(parts->left) + internal::extended_area(parts->right) - area;
-  const long double round_off = 4 * std::numeric_limits<long double>::epsilon() * size * size;
+  const long double round_off =
+      4 * std::numeric_limits<long double>::epsilon() * static_cast<long double>(size * size);
   if (!(std::abs(miss) + round_off <= 1e-12L * area)) return std::nullopt;
   return parts;
 }
