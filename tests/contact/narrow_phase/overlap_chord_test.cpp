@@ -176,6 +176,14 @@ TEST_CASE("a body on top of itself has a finite contact with a unit normal") {
   CHECK(contact->area == near_relative(1, 1e-14));
 }
 
+TEST_CASE("a body below the round-off of the other one's coordinates has no contact") {
+  // Relative to a vertex of the wedge, the pebble's coordinates are multiples of 0.25.
+  const ConvexPolygon wedge{{-1e15, -2e15}, {3e15, 4e14}, {-1e15, 3e15}};
+  const ConvexPolygon pebble{{-0.5, -0.5}, {0.5, -0.5}, {0, 0.5}};
+  for (const auto& [a, b] : {std::pair{wedge, pebble}, std::pair{pebble, wedge}})
+    CHECK(!contact_of(a, b));
+}
+
 // --- Properties of any contact ------------------------------------------------------------------
 
 TEST_CASE("parting two bodies along the normal takes chord times way off their overlap") {

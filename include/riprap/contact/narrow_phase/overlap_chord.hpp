@@ -153,7 +153,7 @@ struct OverlapChord {
                                                                            Memory& memory) {
     const CommonPart common = common_part(a, b);
     // Where rings barely meet, round-off must not decide between clipping and a separating edge.
-    if (common.area <= 1e-9 * common.size * common.size) {
+    if (common.empty() || common.area <= 1e-9 * common.size * common.size) {
       memory.state = Memory::State::apart;
       memory.separating.gap = 0;
       if (find_separating_edge(a, b, memory.separating) || common.empty()) return std::nullopt;
