@@ -129,7 +129,7 @@ TEST_CASE("a curve of any numbers, or without records, has charts") {
     test::StillSample sample;
     auto view = test::view_of(sample);
     view.stretch = {bad, 1 - bad};
-    view.area = bad;
+    view.rate = {bad, bad};
     curve.record(view);
     CHECK_NOTHROW(
         static_cast<void>(test::left_out_of(chart_sheet(curve_charts(curve)).document())));
