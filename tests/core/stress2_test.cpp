@@ -165,12 +165,12 @@ TEST_CASE("a minor stress that is small beside the major one keeps its digits") 
       CHECK(aligned.principal().minor == minor);
       // In other axes the components carry the stresses to a rounding of the major one.
       for (const double angle : {1e-8, 1e-3, 0.4, 0.785, 1.3}) {
-        const PrincipalValues values = from_principal(major, minor, angle).principal_values();
-        CHECK(std::abs(values.minor - minor) <= 1e-14 * major);
-        CHECK(std::abs(values.major - major) <= 1e-14 * major);
+        const PrincipalValues principal = from_principal(major, minor, angle).principal_values();
+        CHECK(std::abs(principal.minor - minor) <= 1e-14 * major);
+        CHECK(std::abs(principal.major - major) <= 1e-14 * major);
       }
     }
   // From 500 digits: mean -+ radius of (3.86e7, -1845, 12).
-  const PrincipalValues values = Stress2{3.86e7, -1845, 12}.principal_values();
-  CHECK(values.minor == near_relative(-1845.00000373039164, 1e-15));
+  const PrincipalValues principal = Stress2{3.86e7, -1845, 12}.principal_values();
+  CHECK(principal.minor == near_relative(-1845.00000373039164, 1e-15));
 }
