@@ -18,7 +18,7 @@ struct StraightCut {
   double maximum_aspect = 3;   ///< of a piece, diameter over least width [-]
   /// Of one intact particle; a break beyond them ends the run with a SimulationError. The default
   /// areas allow 21 for a particle of 1.3 times the mean diameter.
-  unsigned maximum_pieces = 200;
+  unsigned maximum_pieces = 100;
 
   [[nodiscard]] std::optional<CutRings> operator()(Ring ring, const Line& line,
                                                    double mean_area) const {
