@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSL-1.0
-# Compiles a program and holds what the compiler says against the comment that the program begins
-# with, after the line of the licence. The policy that makes the mistake is called Mine; the compiler must tell so with its error.
+# Compiles a program, to its first error or, with `whole`, to its end, and compares the error with the
+# comment that the program begins with, after the line of the licence. The policy that makes the mistake
+# is called Mine; the error must name it.
 cmake_policy(VERSION 3.21)
 
 file(READ ${program} text)
@@ -10,7 +11,11 @@ string(REGEX REPLACE "\n?// " " " sentence "${comment}")
 string(STRIP "${sentence}" sentence)
 list(TRANSFORM includes PREPEND -I)
 set(ENV{LC_ALL} C)
-execute_process(COMMAND ${compiler} -std=c++20 -fsyntax-only ${includes} ${program}
+set(stop -Wfatal-errors)
+if(whole)
+  set(stop "")
+endif()
+execute_process(COMMAND ${compiler} -std=c++20 -fsyntax-only ${stop} ${includes} ${program}
                 RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE said)
 if(result EQUAL 0)
   message(FATAL_ERROR "${program} compiles")

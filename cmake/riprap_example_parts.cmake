@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: BSL-1.0
+# Parts of the examples that tests are made of as well, compiled once for both. Static libraries, of
+# which a program takes what it uses.
+find_package(nlohmann_json QUIET)
+find_package(CLI11 QUIET)
+
+# riprap_example_part(NAME LIBRARIES... SOURCES SOURCE...), sources relative to examples/.
+function(riprap_example_part name)
+  cmake_parse_arguments(part "" "" "LIBRARIES;SOURCES" ${ARGN})
+  list(TRANSFORM part_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/examples/)
+  add_library(${name} STATIC EXCLUDE_FROM_ALL ${part_SOURCES})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/examples)
+  target_link_libraries(${name} PUBLIC ${part_LIBRARIES})
+  riprap_developer_target(${name})
+  # Compiling takes longer than running.
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
+if(TARGET nlohmann_json::nlohmann_json)
+  # All of the study but its program and its runs.
+  file(GLOB sources RELATIVE ${PROJECT_SOURCE_DIR}/examples CONFIGURE_DEPENDS
+       ${PROJECT_SOURCE_DIR}/examples/paper/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/(paper|options|run_[a-z_]+)\\.cpp$")
+  riprap_example_part(riprap_paper LIBRARIES nlohmann_json::nlohmann_json SOURCES ${sources})
+  target_include_directories(riprap_paper PUBLIC ${PROJECT_SOURCE_DIR}/examples/paper)
+endif()
+
+if(TARGET nlohmann_json::nlohmann_json AND TARGET CLI11::CLI11)
+  # What reads the command lines.
+  file(GLOB sources RELATIVE ${PROJECT_SOURCE_DIR}/examples CONFIGURE_DEPENDS
+       ${PROJECT_SOURCE_DIR}/examples/command_line/*.cpp)
+  riprap_example_part(riprap_command_line
+    LIBRARIES CLI11::CLI11 nlohmann_json::nlohmann_json SOURCES ${sources})
+  file(GLOB sources RELATIVE ${PROJECT_SOURCE_DIR}/examples CONFIGURE_DEPENDS
+       ${PROJECT_SOURCE_DIR}/examples/biaxial/*options.cpp)
+  riprap_example_part(riprap_biaxial_options
+    LIBRARIES riprap_command_line SOURCES ${sources} biaxial/policies.cpp)
+  riprap_example_part(riprap_single_particle
+    LIBRARIES riprap_command_line SOURCES single_particle/options.cpp single_particle/analysis.cpp)
+endif()
