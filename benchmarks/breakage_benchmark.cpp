@@ -2,7 +2,7 @@
 // From element stresses to two pieces. criterion/*: a criterion evaluated and tallied in the 100
 // elements of one particle, about a tenth of them failed. line_fit and cut: one call an iteration,
 // made only for particles that break, so they hardly matter in a run. Not measured: the mesh and
-// the operator of the pieces (stress/build_operator), by far the larger part of the price of a
+// the operator of the pieces (stress/build_operator), by far the larger part of the cost of a
 // break.
 
 #include <riprap/breakage/criterion/franklin.hpp>
@@ -10,7 +10,7 @@
 #include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
 #include <riprap/breakage/criterion/murrell.hpp>
-#include <riprap/breakage/failure_tally.hpp>
+#include <riprap/breakage/failure_count.hpp>
 #include <riprap/breakage/line_fit/weighted_xy.hpp>
 #include <riprap/breakage/splitter/straight_cut.hpp>
 
@@ -35,13 +35,13 @@ constexpr std::size_t elements = 100;
 }
 
 template <class Criterion>
-void tally(benchmark::State& state) {
+void count(benchmark::State& state) {
   const std::vector<ElementStress> stresses = random_stresses();
   const Criterion criterion;
   std::size_t i = 0;
   std::size_t failed = 0;
   for (auto _ : state) {
-    FailureTally result = tally_failures(criterion, stresses[i++ % stresses.size()]);
+    FailureCount result = count_failures(criterion, stresses[i++ % stresses.size()]);
     benchmark::DoNotOptimize(result);
     failed += result.failed;
   }
@@ -90,11 +90,11 @@ void straight_cut(benchmark::State& state) {
   state.counters["refused"] = static_cast<double>(refused) / static_cast<double>(i);
 }
 
-BENCHMARK(tally<HoekBrown>)->Name("criterion/hoek_brown");
-BENCHMARK(tally<MohrCoulomb>)->Name("criterion/mohr_coulomb");
-BENCHMARK(tally<Murrell>)->Name("criterion/murrell");
-BENCHMARK(tally<Hobbs>)->Name("criterion/hobbs");
-BENCHMARK(tally<Franklin>)->Name("criterion/franklin");
+BENCHMARK(count<HoekBrown>)->Name("criterion/hoek_brown");
+BENCHMARK(count<MohrCoulomb>)->Name("criterion/mohr_coulomb");
+BENCHMARK(count<Murrell>)->Name("criterion/murrell");
+BENCHMARK(count<Hobbs>)->Name("criterion/hobbs");
+BENCHMARK(count<Franklin>)->Name("criterion/franklin");
 BENCHMARK(weighted_xy)->Name("line_fit/weighted_xy");
 BENCHMARK(straight_cut<blunt>)->Name("cut/straight_cut");
 BENCHMARK(straight_cut<sharp>)->Name("cut/straight_cut/sharp");

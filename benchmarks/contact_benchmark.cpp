@@ -21,7 +21,7 @@ template <const PolygonShape& shape>
 void narrow_phase(benchmark::State& state) {
   const std::vector<Pair> pairs = touching_pairs(shape);
   const OverlapChord narrow;
-  std::vector<OverlapChord::Memory> memories(cycle);
+  std::vector<OverlapChord::Cache> memories(cycle);
   std::size_t i = 0;
   for (auto _ : state) {
     const auto& [a, b] = pairs[i % cycle];

@@ -45,10 +45,10 @@ void separated_search(benchmark::State& state) {
   std::size_t i = 0;
   for (auto _ : state) {
     const auto& [a, b] = pairs[i++ % cycle];
-    SeparatingEdge memory;
-    bool apart = separated(a, b, memory);
+    SeparatingEdge cache;
+    bool apart = separated(a, b, cache);
     benchmark::DoNotOptimize(apart);
-    benchmark::DoNotOptimize(memory);
+    benchmark::DoNotOptimize(cache);
   }
 }
 

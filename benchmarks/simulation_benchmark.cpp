@@ -76,13 +76,13 @@ void breakage(benchmark::State& state, double pressure) {
   BeforeShear before{timer};
   for (auto _ : state) {
     BiaxialTest{.confining_pressure = pressure, .axial_strain = 0.03}.run(sim, timer, before);
-    const auto seconds = [&](StepPart part) {
+    const auto seconds = [&](StepPhase part) {
       return timer.seconds(part) - before.then.seconds(part);
     };
     const auto steps = static_cast<double>(timer.particle_steps() - before.then.particle_steps());
-    const double checks = seconds(StepPart::stress_bound) + seconds(StepPart::stress_check) +
-                          seconds(StepPart::splitting);
-    const double all = timer.seconds() - before.then.seconds() - seconds(StepPart::elsewhere);
+    const double checks = seconds(StepPhase::stress_bound) + seconds(StepPhase::stress_check) +
+                          seconds(StepPhase::splitting);
+    const double all = timer.seconds() - before.then.seconds() - seconds(StepPhase::other);
     state.SetIterationTime(all);
     state.counters["ns/particle-step"] = 1e9 * all / steps;
     state.counters["ns of it checks"] = 1e9 * checks / steps;

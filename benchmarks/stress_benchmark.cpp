@@ -14,13 +14,13 @@
 #include <map>
 
 #include <riprap/breakage/criterion/hoek_brown.hpp>
-#include <riprap/breakage/failure_distance.hpp>
+#include <riprap/breakage/failure_screening.hpp>
 #include <riprap/stress/assemble_and_solve.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
 #include <riprap/stress/influence_operator.hpp>
-#include <riprap/stress/load_reference.hpp>
 #include <riprap/stress/mesh/uniform_mesher.hpp>
 #include <riprap/stress/plane_state/plane_stress.hpp>
+#include <riprap/stress/stress_change_bound.hpp>
 
 #include "support.hpp"
 
@@ -98,8 +98,8 @@ struct BySolution {
 
 template <bool whole>
 struct ByOperator {
-  CompactOperator op;
-  LoadReference reference{};
+  InfluenceOperatorF32 op;
+  StressChangeBound reference{};
   std::array<ContactLoad, contacts> loads{};
   ByOperator(const Loaded& p, std::int64_t triangles) : op(exact_operator(p, triangles)) {
     for (std::size_t k = 0; k < contacts; ++k)
@@ -107,19 +107,19 @@ struct ByOperator {
   }
 
   void operator()(const Loaded& p) {
-    static FailureForecast forecast{FailureRadii::of(HoekBrown{})};
-    static CompactStress stress;
+    static FailureScreening screening{MohrRadiusTable::of(HoekBrown{})};
+    static ElementStressF32 stress;
     Loads placed;
-    std::array<OutlinePoint, contacts> places;
+    std::array<LocatedPoint, contacts> places;
     for (std::size_t k = 0; k < contacts; ++k) {
-      places[k] = op.outline().nearest(p.arms[k]);
+      places[k] = op.locator().nearest(p.arms[k]);
       placed[k] = {places[k].at, p.forces[k], 0};
     }
     op.find_stress(placed, 1, stress);
     benchmark::DoNotOptimize(stress.values.data());
     if constexpr (!whole) return;
-    const FailureOutlook outlook = forecast(stress, 1 + 2 * op.elements() / 5);
-    reference.renew(loads, placed, places, Rotation{}, op, outlook.harmless_change);
+    const ScreeningResult result = screening(stress, 1 + 2 * op.elements() / 5);
+    reference.reset(loads, placed, places, Rotation{}, op, result.stress_margin);
   }
 };
 
@@ -158,17 +158,17 @@ void change_loads(std::vector<ByOperator<true>>& all) {
 // At most steps it is known contact by contact that a particle holds.
 void bound(benchmark::State& state) {
   std::vector<ByOperator<true>> all = bounded(loaded_particles());
-  std::vector<LoadReference::Prices> prices(particles);
+  std::vector<StressChangeBound::Sensitivities> sensitivities(particles);
   for (std::size_t i = 0; i < particles; ++i)
-    benchmark::DoNotOptimize(all[i].reference.holds(all[i].loads, Rotation{}, prices[i]));
+    benchmark::DoNotOptimize(all[i].reference.holds(all[i].loads, Rotation{}, sensitivities[i]));
   change_loads(all);
   std::size_t i = 0;
   std::size_t held = 0;
   for (auto _ : state) {
-    LoadWatch one(Rotation{}, contacts);
+    IncrementalBound one(Rotation{}, contacts);
     for (std::size_t k = 0; k < contacts; ++k)
-      one.meet(prices[i][k], all[i].loads[k].arm, all[i].loads[k].force);
-    held += one.holds();
+      one.accumulate(sensitivities[i][k], all[i].loads[k].arm, all[i].loads[k].force);
+    held += one.within_budget();
     if (++i == particles) i = 0;
   }
   state.counters["held"] =
@@ -179,12 +179,12 @@ void bound(benchmark::State& state) {
 void comparison(benchmark::State& state) {
   std::vector<ByOperator<true>> all = bounded(loaded_particles());
   change_loads(all);
-  LoadReference::Prices prices;
+  StressChangeBound::Sensitivities sensitivities;
   std::size_t i = 0;
   std::size_t held = 0;
   for (auto _ : state) {
-    held += all[i].reference.holds(all[i].loads, Rotation{}, prices);
-    benchmark::DoNotOptimize(prices);
+    held += all[i].reference.holds(all[i].loads, Rotation{}, sensitivities);
+    benchmark::DoNotOptimize(sensitivities);
     if (++i == particles) i = 0;
   }
   state.counters["held"] =
@@ -197,7 +197,7 @@ void build_operator(benchmark::State& state) {
   std::size_t i = 0;
   double bytes = 0;
   for (auto _ : state) {
-    const CompactOperator built(exact_operator(loaded[i], state.range(0)));
+    const InfluenceOperatorF32 built(exact_operator(loaded[i], state.range(0)));
     bytes += static_cast<double>(built.bytes());
     if (++i == particles) i = 0;
   }

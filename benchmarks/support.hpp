@@ -56,8 +56,8 @@ using Pair = std::array<std::vector<Vec2>, 2>;
     double outside = 4 * size;
     while (outside - inside > 1e-6 * size) {
       const double middle = 0.5 * (inside + outside);
-      SeparatingEdge memory;
-      (separated(a.ring(), shifted(b.ring(), middle * direction), memory) ? outside : inside) =
+      SeparatingEdge cache;
+      (separated(a.ring(), shifted(b.ring(), middle * direction), cache) ? outside : inside) =
           middle;
     }
     pairs.push_back(

@@ -31,7 +31,7 @@ struct DenseCell {
   cell.rate = test.run(sim).axial_rate;
   const Particles& particles = sim.particles();
   cell.assembly.thickness = particles.thickness();
-  cell.assembly.period = sim.boundary().plane().period;
+  cell.assembly.period = sim.boundary().domain().period;
   for (BodyIndex i = 0; i < particles.size(); ++i) {
     const Ring ring = particles.ring(i);
     cell.assembly.particles.push_back({ConvexPolygon({ring.begin(), ring.end()})});

@@ -44,7 +44,7 @@ void append(Assembly& out, const auto& sim, const Vec2& offset = {0, 0},
 // diameter, are the ring.
 [[nodiscard]] Assembly round_sample(const auto& sim, const Packing& packing, unsigned count) {
   const Vec2 rate{packing.lateral_rate, packing.axial_rate};
-  const Vec2 period = sim.boundary().plane().period;
+  const Vec2 period = sim.boundary().domain().period;
   const double cells = count / static_cast<double>(sim.particles().size());
   const int reach = static_cast<int>(std::ceil(std::sqrt(cells / std::numbers::pi)));
   Assembly out{.thickness = sim.particles().thickness(), .particles = {}};
@@ -60,7 +60,7 @@ void append(Assembly& out, const auto& sim, const Vec2& offset = {0, 0},
       p = {.polygon = p.polygon,
            .motion = Motion::strain_field,
            .velocity = -rate.cwiseProduct(centroid(p))};
-  sort_in_space(out.particles);
+  sort_by_morton_code(out.particles);
   return out;
 }
 
@@ -80,7 +80,7 @@ struct LastStrains {
                                    const BiaxialTest& test) {
   LastStrains strains;
   const double axial_rate = test.run(sim, strains).axial_rate;
-  const StateNumbers state = state_numbers(sim.contacts(), sim.particles());
+  const StateAverages state = state_averages(sim.contacts(), sim.particles());
   const double contacts = coordination(sim.contacts(), sim.particles()).coordination_number;
   std::cerr << sim.particles().size() << " grains: " << contacts << " contacts a grain, overlap "
             << 100 * state.mean_overlap / options.mean_diameter << " % of the size, " << sim.steps()

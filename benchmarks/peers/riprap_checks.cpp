@@ -22,16 +22,16 @@ class ShearTimer {
     timer_ = {};
     begun_ = cpu_seconds();
   }
-  void lap(StepPart part) { timer_.lap(part); }
+  void on_phase_end(StepPhase part) { timer_.on_phase_end(part); }
   void after_step(const auto& sim) { timer_.after_step(sim); }
   void end_stage(const auto& /*view*/) { cpu_ = cpu_seconds() - begun_; }
 
-  // Nanoseconds of CPU time a particle and step. The laps are wall-clock time: they say which share
+  // Nanoseconds of CPU time a particle and step. The phases are wall-clock time: they say which share
   // it is, so that what else the machine does cancels.
   [[nodiscard]] double checking() const {
     const double share =
-        (timer_.seconds(StepPart::stress_bound) + timer_.seconds(StepPart::stress_check) +
-         timer_.seconds(StepPart::splitting)) /
+        (timer_.seconds(StepPhase::stress_bound) + timer_.seconds(StepPhase::stress_check) +
+         timer_.seconds(StepPhase::splitting)) /
         timer_.seconds();
     return 1e9 * share * cpu_ / static_cast<double>(timer_.particle_steps());
   }

@@ -26,7 +26,7 @@ int main(int count, char** arguments) try {
   print_result("riprap " RIPRAP_FLAGS,
                {{"ns", ns},
                 {"coordination", coordination(sim.contacts(), sim.particles()).coordination_number},
-                {"overlap", state_numbers(sim.contacts(), sim.particles()).mean_overlap /
+                {"overlap", state_averages(sim.contacts(), sim.particles()).mean_overlap /
                                 packing.mean_diameter},
                 {"time_step", sim.time_step()}});
 } catch (const std::exception& error) {

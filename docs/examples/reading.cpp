@@ -9,7 +9,7 @@
 #include <riprap/riprap.hpp>
 using namespace riprap;
 
-struct MostFailed {  // an observer: who is nearest to breaking, at each record
+struct MostFailed {  // an observer: the particle nearest to breaking, at each record
   void record(const auto& view) {
     const auto& sim = view.sim;
     const std::vector<double> rat = sim.failed_ratios();  // in the order of the bodies
@@ -28,7 +28,7 @@ struct MostFailed {  // an observer: who is nearest to breaking, at each record
 int main() try {
   Simulation sim{Model{}, random_assembly({.count = 40, .seed = 2}), Rock{}};
   Curve curve;
-  RangeCheck check;
+  ValidityCheck check;
   MostFailed most_failed;
   const BiaxialTest test{.confining_pressure = 8.0_MPa, .axial_strain = 0.005};
   const BiaxialResult result = test.run(sim, curve, check, most_failed);

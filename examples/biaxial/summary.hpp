@@ -230,7 +230,7 @@ inline void print_checks(const riprap::CheckTable& table) {
 
 template <class Sim>
 Json summary(const Options& o, const Sim& sim, const riprap::BiaxialResult& result,
-             const riprap::Curve& curve, const riprap::RangeCheck& check) {
+             const riprap::Curve& curve, const riprap::ValidityCheck& check) {
   Json j = {{"riprap", riprap::version},
             {"status", result.interrupted ? "interrupted" : "finished"},
             {"parameters", parameters_json(o, sim)},

@@ -69,7 +69,7 @@ class BandRecord {
 
   double radius_ = 1;  // when shear begins [m]
   riprap::Vec2 stretch_{1, 1};
-  riprap::Movement movement_;
+  riprap::IncrementalDisplacement movement_;
   std::size_t next_ = 0;
   std::vector<Sheared> all_;
   std::vector<riprap::Vec2> waiting_;  // where particles broke in this window

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <riprap/experiment/displacement_paths.hpp>
-#include <riprap/experiment/movement.hpp>
+#include <riprap/experiment/incremental_displacement.hpp>
 #include <riprap/measurement/coordination.hpp>
 #include <riprap/output/assembly_picture.hpp>
 #include <riprap/output/displacement_picture.hpp>
@@ -161,7 +161,7 @@ class RunPictures {
   RunPlan plan_;
   std::filesystem::path folder_;
   riprap::DisplacementPaths paths_;
-  riprap::Movement movement_;
+  riprap::IncrementalDisplacement movement_;
   double next_point_ = 0.2;
   std::size_t next_ = 0;
 };

@@ -12,8 +12,8 @@ void study::draw_process(const Case& particle, const riprap::BreakEvent& event,
   const Analysis analysis = analyse(particle);
   // The polygon has been to the laboratory and back: that costs the last digits.
   const double tolerance = 1e-6 * riprap::diameter(particle.polygon.ring());
-  if (!analysis.crack || analysis.tally.failed != event.tally.failed ||
-      analysis.tally.first_failed != event.tally.first_failed ||
+  if (!analysis.crack || analysis.failures.failed != event.failures.failed ||
+      analysis.failures.first_failed != event.failures.first_failed ||
       (analysis.crack->line.point - event.line.point).norm() > tolerance ||
       (analysis.crack->line.direction - event.line.direction).norm() > 1e-6)
     throw riprap::SimulationError("particle " + std::to_string(event.particle.id) +

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include <riprap/core/hash.hpp>
+#include <riprap/core/splitmix64.hpp>
 #include <riprap/experiment/curve.hpp>
-#include <riprap/experiment/movement.hpp>
+#include <riprap/experiment/incremental_displacement.hpp>
 
 #include "break_place.hpp"
 #include "run_plan.hpp"
@@ -22,7 +22,7 @@ inline std::string fingerprint(const riprap::Particles& particles) {
   std::uint64_t sum = 0;
   for (const riprap::Body& body : particles.bodies())
     for (const double value : {body.position.x(), body.position.y(), body.rotation.sine})
-      sum = riprap::spread_bits(sum ^ std::bit_cast<std::uint64_t>(value));
+      sum = riprap::splitmix64(sum ^ std::bit_cast<std::uint64_t>(value));
   return std::to_string(sum);
 }
 
@@ -112,7 +112,7 @@ class RunRecord {
   std::string relaxed_;
   Json breaks_ = Json::array();
   std::vector<double> ratios_;
-  riprap::Movement movement_;
+  riprap::IncrementalDisplacement movement_;
   std::vector<riprap::Move> moves_;
   Json forces_ = {{"axial_strain", Json::array()},
                   {"mean_near_axis_2_N", Json::array()},

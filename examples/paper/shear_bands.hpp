@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include <riprap/experiment/movement.hpp>
+#include <riprap/experiment/incremental_displacement.hpp>
 
 namespace study {
 

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <filesystem>
 
-#include <riprap/experiment/range_check.hpp>
+#include <riprap/experiment/validity_check.hpp>
 #include <riprap/riprap.hpp>
 
 #include "band_record.hpp"
@@ -46,7 +46,7 @@ void run_model(const RunPlan& plan, ModelType model, const std::filesystem::path
   Curve curve;
   RunRecord record;
   BandRecord band_record;
-  RangeCheck check;
+  ValidityCheck check;
   BiaxialResult result;
   const WorkMeter meter{plan, done};
   Json j = {{"mode", to_text(plan.mode)},

@@ -64,10 +64,10 @@ void solve(Analysis& a, const S& support) {
   const Case& c = a.given;
   const InfluenceOperator op(a.mesh, ConstantStrainTriangle{}, PlaneStress{}, c.rock, c.thickness,
                              S::needs_flexibility);
-  a.settled = a.loads;
-  support.settle(std::span<BoundaryLoad>(a.settled), op);
+  a.balanced = a.loads;
+  support.apply_reactions(std::span<BoundaryLoad>(a.balanced), op);
   a.stress.reset(a.mesh.size());
-  for (const BoundaryLoad& load : a.settled) op.add_stress(load.at, load.force, a.stress);
+  for (const BoundaryLoad& load : a.balanced) op.add_stress(load.at, load.force, a.stress);
 }
 
 std::string with_digits(const char* format, double value) {
@@ -99,11 +99,11 @@ void find_lines_and_pieces(Analysis& a) {
   const Case& c = a.given;
   const Ring ring = c.polygon.ring();
   const double area = area_properties(ring).area;
-  if (a.tally.failed == 0) {
+  if (a.failures.failed == 0) {
     a.refusal = "No element has failed.";
     return;
   }
-  a.planes = failure_planes(c.criterion, a.stress[a.tally.first_failed].rotated(a.body.rotation),
+  a.planes = failure_planes(c.criterion, a.stress[a.failures.first_failed].rotated(a.body.rotation),
                             a.first_failed().mode);
   const auto points = failed_points(c.criterion, a.mesh, a.stress, a.body);
   a.by_x = WeightedX{}(points, a.planes);
@@ -111,14 +111,14 @@ void find_lines_and_pieces(Analysis& a) {
   const std::optional<Line> chosen = WeightedXY{}(points, a.planes);
   a.x_chosen = chosen && a.by_x && chosen->direction == a.by_x->direction;
 
-  if (!c.trigger(a.tally)) {
-    a.refusal = "Stays whole: Rat = " + with_digits("%.2f", a.tally.ratio()) +
+  if (!c.trigger(a.failures)) {
+    a.refusal = "Stays whole: Rat = " + with_digits("%.2f", a.failures.ratio()) +
                 " is below RatF = " + to_text(c.trigger.critical) + ".";
     return;
   }
   const Breaking model{.criterion = c.criterion, .splitter = c.splitter};
   const double mean_area = c.mean_area.value_or(area);
-  a.crack = find_crack(model, a.tally, a.mesh, a.stress, a.body, ring, mean_area);
+  a.crack = find_crack(model, a.failures, a.mesh, a.stress, a.body, ring, mean_area);
   if (a.crack) {
     a.pieces = a.crack->pieces;
     return;
@@ -157,7 +157,7 @@ Analysis analyse(Case given) {
   check_stress(a);
   for (std::size_t e = 0; e < a.mesh.size(); ++e)
     a.elements.push_back(evaluate(c.criterion, a.stress[e]));
-  a.tally = tally_failures(c.criterion, a.stress);
+  a.failures = count_failures(c.criterion, a.stress);
   find_lines_and_pieces(a);
   return a;
 }

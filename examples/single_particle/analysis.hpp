@@ -42,13 +42,13 @@ struct Case {
 
 struct Analysis {
   Case given;
-  riprap::Body body{};                          // its position is the centroid of the polygon
-  riprap::Mesh mesh{};                          // in the body's own frame, as loads and stress are
-  std::vector<riprap::BoundaryLoad> loads{};    // as given, on the boundary
-  std::vector<riprap::BoundaryLoad> settled{};  // as they stress it: pinned ones are reactions
+  riprap::Body body{};                           // its position is the centroid of the polygon
+  riprap::Mesh mesh{};                           // in the body's own frame, as loads and stress are
+  std::vector<riprap::BoundaryLoad> loads{};     // as given, on the boundary
+  std::vector<riprap::BoundaryLoad> balanced{};  // as they stress it: pinned ones are reactions
   riprap::ElementStress stress{};
   std::vector<riprap::ElementFailure> elements{};
-  riprap::FailureTally tally{};
+  riprap::FailureCount failures{};
   riprap::FailurePlanes planes{};  // of the first failed element
 
   std::optional<riprap::Line> by_x{};
@@ -65,11 +65,11 @@ struct Analysis {
     return body.position + body.rotation * place;
   }
   [[nodiscard]] bool is_pin(std::size_t i) const {
-    return given.pinned && loads[i].force != settled[i].force;
+    return given.pinned && loads[i].force != balanced[i].force;
   }
   [[nodiscard]] const std::optional<riprap::Line>& line() const { return x_chosen ? by_x : by_y; }
   [[nodiscard]] const riprap::ElementFailure& first_failed() const {
-    return elements[tally.first_failed];
+    return elements[failures.first_failed];
   }
   [[nodiscard]] riprap::Wrench unbalanced() const;
 };

@@ -161,14 +161,14 @@ void draw_mesh_and_forces(Svg& svg, const Analysis& a) {
     svg.polygon(panel.element(a, e), "fill=\"" + std::string(intact_colour) + "\"" + mesh_edges);
   svg.polygon(panel.all(a.given.polygon), outline);
   double longest = 0;
-  for (const BoundaryLoad& load : a.settled) longest = std::max(longest, load.force.norm());
+  for (const BoundaryLoad& load : a.balanced) longest = std::max(longest, load.force.norm());
   bool any_pin = false;
-  for (std::size_t i = 0; i < a.settled.size(); ++i) {
+  for (std::size_t i = 0; i < a.balanced.size(); ++i) {
     const bool pin = a.is_pin(i);
-    draw_force(panel, a, a.settled[i],
+    draw_force(panel, a, a.balanced[i],
                {pin ? reaction_colour : force_colour, longest, pin ? 9.0 : 0.0});
     if (!pin) continue;
-    const Vec2 point = panel(a.at(a.settled[i]));
+    const Vec2 point = panel(a.at(a.balanced[i]));
     any_pin = true;
     svg.circle(point, 7, "fill=\"white\" " + stroke(reaction_colour, 2.5));
     svg.circle(point, 2.5, "fill=\"" + std::string(reaction_colour) + "\"");
@@ -190,7 +190,7 @@ constexpr std::array class_colours{"#7f0000", "#d7301f", "#fc8d59", "#fdf0c8",
                                    "#c6dbef", "#7fb2d8", "#3b7bb5"};
 
 void draw_safety_factors(Svg& svg, const Analysis& a) {
-  const double lowest = a.tally.lowest_safety_factor;
+  const double lowest = a.failures.lowest_safety_factor;
   Panel panel(svg, a, 1, 0,
               "Safety factors, failed up to 1" +
                   (std::isfinite(lowest) ? text_of("; lowest %.3f", lowest) : std::string()));
@@ -237,8 +237,9 @@ void draw_line(const Panel& panel, const Analysis& a, const Line& line, const st
 
 void draw_failure(Svg& svg, const Analysis& a) {
   Panel panel(svg, a, 0, 1,
-              "Failed elements: " + std::to_string(a.tally.failed) + " of " +
-                  std::to_string(a.tally.elements) + ", Rat = " + text_of("%.2f", a.tally.ratio()));
+              "Failed elements: " + std::to_string(a.failures.failed) + " of " +
+                  std::to_string(a.failures.elements) +
+                  ", Rat = " + text_of("%.2f", a.failures.ratio()));
   for (std::size_t e = 0; e < a.mesh.size(); ++e) {
     const FailureMode mode = a.elements[e].mode;
     const std::string colour = mode == FailureMode::tension ? tension_colour
@@ -250,7 +251,7 @@ void draw_failure(Svg& svg, const Analysis& a) {
   panel.patch(tension_colour, "tension");
   panel.patch(shear_colour, "shear");
   panel.patch(intact_colour, "intact");
-  if (a.tally.failed == 0) return;
+  if (a.failures.failed == 0) return;
 
   const auto draw = [&](const std::optional<Line>& line, bool chosen, const std::string& name,
                         const std::string& colour) {
@@ -262,7 +263,7 @@ void draw_failure(Svg& svg, const Analysis& a) {
   draw(a.by_x, a.x_chosen, "X", x_colour);
   draw(a.by_y, !a.x_chosen, "Y", y_colour);
 
-  const std::size_t first = a.tally.first_failed;
+  const std::size_t first = a.failures.first_failed;
   svg.polygon(panel.element(a, first),
               "fill=\"none\" stroke-linejoin=\"round\" " + stroke("#000", 2.5));
   const Vec2 centre = panel(a.in_laboratory(a.mesh.centroid(first)));

@@ -23,8 +23,8 @@ void print_forces(const Analysis& a) {
     std::printf("force %zu at (%.2f, %.2f) mm: (%.0f, %.0f) N", i, at.x(), at.y(),
                 a.loads[i].force.x(), a.loads[i].force.y());
     if (a.is_pin(i))
-      std::printf("; pinned, reaction (%.0f, %.0f) N", whole(a.settled[i].force.x()),
-                  whole(a.settled[i].force.y()));
+      std::printf("; pinned, reaction (%.0f, %.0f) N", whole(a.balanced[i].force.x()),
+                  whole(a.balanced[i].force.y()));
     std::printf("\n");
   }
   const Wrench rest = a.unbalanced();
@@ -51,14 +51,14 @@ void print_line(const char* name, const std::optional<Line>& line, const Failure
 
 void print_report(const Analysis& a) {
   print_forces(a);
-  std::printf("Rat %.3f (%zu of %zu elements have failed), RatF %g\n", a.tally.ratio(),
-              a.tally.failed, a.tally.elements, a.given.trigger.critical);
-  if (std::isfinite(a.tally.lowest_safety_factor))
-    std::printf("lowest safety factor %.3f, mode: %s\n", a.tally.lowest_safety_factor,
+  std::printf("Rat %.3f (%zu of %zu elements have failed), RatF %g\n", a.failures.ratio(),
+              a.failures.failed, a.failures.elements, a.given.trigger.critical);
+  if (std::isfinite(a.failures.lowest_safety_factor))
+    std::printf("lowest safety factor %.3f, mode: %s\n", a.failures.lowest_safety_factor,
                 to_text(a.first_failed().mode));
   else
     std::printf("no element bears compression or has failed: no safety factor\n");
-  if (a.tally.failed > 0) {
+  if (a.failures.failed > 0) {
     print_line("X", a.by_x, a.planes);
     print_line("Y", a.by_y, a.planes);
     if (a.line()) std::printf("chosen: the %s line\n", a.x_chosen ? "X" : "Y");

@@ -34,11 +34,11 @@ inline Json specimen_json(const Specimen& s) {
   for (const FailureLine& line : s.lines)
     lines.push_back({{"fit", line.fit}, {"to_axis_degrees", line.angle()}});
   return {{"Rat", r.ratio()},
-          {"elements", r.tally.elements},
-          {"failed", r.tally.failed},
+          {"elements", r.failures.elements},
+          {"failed", r.failures.failed},
           {"tensile", r.tensile},
           {"shear", r.shear},
-          {"lowest_safety_factor", r.tally.lowest_safety_factor},
+          {"lowest_safety_factor", r.failures.lowest_safety_factor},
           {"platen_stress_Pa", r.platen_stress},
           {"axial_strain", r.axial_strain},
           {"stiffness_over_young", r.platen_stress / r.axial_strain / s.options.young},

@@ -113,9 +113,9 @@ inline void draw_failed(riprap::Svg& svg, const Specimen& s) {
     if (s.result.elements[e].failed())
       panel.element(e, s.result.elements[e].mode == riprap::FailureMode::tension ? "#f2a541"
                                                                                  : "#a06cc0");
-  if (s.result.tally.failed > 0) {
+  if (s.result.failures.failed > 0) {
     std::vector<riprap::Vec2> first;
-    for (const auto& x : s.result.mesh.triangle(s.result.tally.first_failed))
+    for (const auto& x : s.result.mesh.triangle(s.result.failures.first_failed))
       first.push_back(panel.at(x));
     svg.polygon(first, "fill=\"none\" stroke=\"#000\" stroke-width=\"2.4\"");
   }
@@ -137,7 +137,7 @@ inline riprap::Svg draw_specimen(const Study& study) {
   const Specimen s = specimen(coarse);
   riprap::Svg svg(860, 750);
   svg.text({430, 24},
-           std::to_string(s.result.tally.elements) + " triangles at a mean platen stress of " +
+           std::to_string(s.result.failures.elements) + " triangles at a mean platen stress of " +
                with_digits("%g", s.options.load) +
                " times the strength: Rat = " + with_digits("%.2f", s.result.ratio()),
            "middle", 16);

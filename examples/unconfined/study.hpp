@@ -81,8 +81,8 @@ inline Specimen specimen(const Options& o) {
   add("weighted X or Y", riprap::WeightedXY{});
   add("total least squares", riprap::TotalLeastSquares{});
   add("failure plane through the centroid", riprap::FailurePlaneThroughCentroid{});
-  if (s.result.tally.failed > 0) {
-    const std::size_t first = s.result.tally.first_failed;
+  if (s.result.failures.failed > 0) {
+    const std::size_t first = s.result.failures.first_failed;
     s.plane_angle = 57.29577951308232 * riprap::failure_planes(criterion, s.result.stress[first],
                                                                s.result.elements[first].mode)
                                             .angle_to({0, 1});

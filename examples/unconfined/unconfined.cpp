@@ -53,7 +53,7 @@ void print(const unconfined::Study& s) {
   const riprap::UnconfinedResult& r = s.specimen.result;
   std::printf(
       "Rat %.3f at %g times the strength: %zu of %zu elements, %zu in shear, %zu in tension\n",
-      r.ratio(), s.options.load, r.tally.failed, r.tally.elements, r.shear, r.tensile);
+      r.ratio(), s.options.load, r.failures.failed, r.failures.elements, r.shear, r.tensile);
   std::printf("which is RatF for this rock in this specimen; the paper has 0.32 to 0.39, 0.34 on "
               "average, and takes 0.4\n");
   std::printf("Rat reaches 0.4 at %.3f times the strength\n", s.load_at_0_4);

@@ -72,7 +72,7 @@ std::optional<Crack> crack_of(const Breakage<Fit>& model, const Body& body, doub
   const Mesh mesh = square_mesh();
   const ElementStress stress = torn_in_the_middle(mesh);
   const std::vector<Vec2> ring = square_ring(body);
-  return find_crack(model, tally_failures(model.criterion, stress), mesh, stress, body, ring,
+  return find_crack(model, count_failures(model.criterion, stress), mesh, stress, body, ring,
                     mean_area);
 }
 
@@ -110,9 +110,9 @@ TEST_CASE("a particle torn in its middle splits there, whatever its pose") {
       CHECK(off_angle(plane->line.direction, across_tension) == near(0, 1e-13));
       for (const Crack& crack : {*cloud, *plane}) {
         CHECK(crack.mode == FailureMode::tension);
-        CHECK(crack.tally.failed == 16);
-        CHECK(crack.tally.ratio() == 0.5);
-        CHECK(crack.tally.first_failed == worst);
+        CHECK(crack.failures.failed == 16);
+        CHECK(crack.failures.ratio() == 0.5);
+        CHECK(crack.failures.first_failed == worst);
         // The worst element's weight moves the centroid by some 1e-6.
         CHECK(crack.line.left_distance(position) == near(0, 1e-5));
         const double left = area_properties(crack.pieces.left).area;
@@ -140,6 +140,6 @@ TEST_CASE("a particle without failed elements has no crack") {
   stress.reset(mesh.size());
   const Body body = body_at(0, {0, 0});
   const Breakage<FailurePlaneThroughCentroid> model;
-  CHECK_FALSE(find_crack(model, tally_failures(model.criterion, stress), mesh, stress, body,
+  CHECK_FALSE(find_crack(model, count_failures(model.criterion, stress), mesh, stress, body,
                          square_ring(body), 4));
 }

@@ -11,7 +11,7 @@
 #include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
 #include <riprap/breakage/criterion/rankine.hpp>
-#include <riprap/breakage/failure_tally.hpp>
+#include <riprap/breakage/failure_count.hpp>
 #include <riprap/core/units.hpp>
 #include <support/near.hpp>
 
@@ -271,7 +271,7 @@ TEST_CASE("a stress or strength that is not a number is refused, never intact") 
   ElementStress stress;
   stress.reset(3);
   stress.set(1, {0, nan_value, 0});
-  CHECK_THROWS_AS((void)tally_failures(HoekBrown{}, stress), InvalidInput);
+  CHECK_THROWS_AS((void)count_failures(HoekBrown{}, stress), InvalidInput);
 }
 
 TEST_CASE("the safety factor keeps its digits beside a large major stress") {

@@ -111,8 +111,8 @@ TEST_CASE("pairs are sorted by their bodies, a before b, and hold every contact"
   std::vector<std::pair<BodyIndex, BodyIndex>> expected;
   for (BodyIndex i = 0; i < particles.size(); ++i)
     for (BodyIndex j = i + 1; j < particles.size(); ++j) {
-      OverlapChord::Memory memory;
-      if (OverlapChord{}(particles.ring(i), particles.ring(j), memory)) expected.emplace_back(i, j);
+      OverlapChord::Cache cache;
+      if (OverlapChord{}(particles.ring(i), particles.ring(j), cache)) expected.emplace_back(i, j);
     }
   std::vector<std::pair<BodyIndex, BodyIndex>> found;
   list.for_each_touching([&](const auto& c) { found.emplace_back(c.a, c.b); });
@@ -149,7 +149,7 @@ TEST_CASE("pairs are numbered anew where they have come, gone or changed places,
   List list = list_with_skin(0.1);
   using Pairs = std::vector<std::pair<BodyIndex, BodyIndex>>;
   Pairs before;
-  std::uint64_t number = list.numbering();
+  std::uint64_t number = list.revision();
   int kept = 0;
   int renumbered = 0;
   for (int step = 0; step < 100; ++step) {
@@ -158,20 +158,20 @@ TEST_CASE("pairs are numbered anew where they have come, gone or changed places,
     list.update(particles, 0.01);
     Pairs now;
     for (const auto& c : list.pairs()) now.emplace_back(c.a, c.b);
-    CHECK((list.numbering() == number) == (now == before));
-    CHECK(list.earlier_numbering() == number);
+    CHECK((list.revision() == number) == (now == before));
+    CHECK(list.previous_revision() == number);
     for (std::size_t k = 0; k < now.size(); ++k) {
       const auto place = std::find(before.begin(), before.end(), now[k]) - before.begin();
-      const bool is_new = list.earlier_place(k) == List::new_pair;
-      CHECK((is_new ? before.size() : list.earlier_place(k)) == static_cast<std::size_t>(place));
+      const bool is_new = list.previous_index(k) == List::not_present;
+      CHECK((is_new ? before.size() : list.previous_index(k)) == static_cast<std::size_t>(place));
     }
     ++(now == before ? kept : renumbered);
     before = now;
-    number = list.numbering();
-    // Who has the same pairs has the same number.
+    number = list.revision();
+    // Lists of the same pairs have the same revision.
     List other = list_with_skin(0.1);
     other.update(particles, 0);
-    CHECK(other.numbering() == number);
+    CHECK(other.revision() == number);
   }
   CHECK(kept > 10);
   CHECK(renumbered > 10);
@@ -258,7 +258,7 @@ TEST_CASE("forces do not depend on the skin of the broad phase, to the last bit"
       drift_all(particles, 0.002);
       list.update(particles, 0.002);
     }
-    return std::pair(std::move(particles), list.slipped());
+    return std::pair(std::move(particles), list.friction_loss());
   };
   const auto [thin, slipped_thin] = run(0);
   for (const double skin : {0.03, 0.3, 2.0}) {
@@ -389,13 +389,13 @@ TEST_CASE("updating again without motion repeats the forces and loses nothing") 
   Particles particles = two_blocks();
   List list = list_with_skin(0.1);
   shear(particles, list, 2e-3);  // well into slip
-  const double slipped = list.slipped();
+  const double friction_loss = list.friction_loss();
   const Vec2 force = particles.body(1).contact.force;
-  CHECK(slipped > 0);
+  CHECK(friction_loss > 0);
   list.update(particles, 0);
   list.update(particles, 0);
   CHECK(particles.body(1).contact.force == force);
-  CHECK(list.slipped() == slipped);
+  CHECK(list.friction_loss() == friction_loss);
 }
 
 TEST_CASE("slip energy is the sum over all contacts") {
@@ -409,8 +409,8 @@ TEST_CASE("slip energy is the sum over all contacts") {
   }
   list.update(particles, 1);
   // Each spring loads to mu N = 500 N over 0.5 mm and slips 1.5 mm, at 250 N on average.
-  CHECK(list.slipped() == near_relative(2 * 250 * 1.5e-3, 1e-9));
-  CHECK(list.damped() == 0);
+  CHECK(list.friction_loss() == near_relative(2 * 250 * 1.5e-3, 1e-9));
+  CHECK(list.viscous_loss() == 0);
 }
 
 // --- Histories ----------------------------------------------------------------------------------
@@ -439,10 +439,10 @@ TEST_CASE("finding the pairs anew on demand changes neither forces nor histories
     list.update(particles, 0.002);
   }
   const std::vector<Body> before = particles.bodies();
-  const double slipped = list.slipped();
+  const double friction_loss = list.friction_loss();
   list.invalidate();
   list.update(particles, 0);
-  CHECK(list.slipped() == slipped);
+  CHECK(list.friction_loss() == friction_loss);
   for (BodyIndex i = 0; i < particles.size(); ++i) {
     CHECK(particles.body(i).contact.force == before[i].contact.force);
     CHECK(particles.body(i).contact.moment == before[i].contact.moment);
@@ -498,7 +498,7 @@ ContactMotion recorded_motion(Motion first, Motion second, double scaling) {
 
 }  // namespace
 
-TEST_CASE("a law is told the relative velocity of b, and the effective mass of the pair") {
+TEST_CASE("a law gets the relative velocity of b, and the effective mass of the pair") {
   const ContactMotion free = recorded_motion(Motion::free, Motion::free, 1);
   CHECK(free.normal_velocity == near_relative(-7, 1e-12));
   CHECK(free.tangential_velocity == near_relative(-3, 1e-12));  // the tangent is -x here
@@ -574,9 +574,9 @@ TEST_CASE("the pieces of a broken body take over its contacts, each those at its
     CHECK(touching_count(b.list) == 2);
     for (std::size_t k = 0; k < b.list.pairs().size(); ++k)
       if (b.list.pairs()[k].touching)
-        CHECK((b.list.earlier_place(k) == List::new_pair) == (b.list.pairs()[k].b == b.second));
-    const double slipped = b.list.slipped();
-    CHECK(slipped == 0);
+        CHECK((b.list.previous_index(k) == List::not_present) == (b.list.pairs()[k].b == b.second));
+    const double friction_loss = b.list.friction_loss();
+    CHECK(friction_loss == 0);
     // Friction too has survived: 200 N on each block, in the sense it had.
     for (const BodyIndex i : {first_block, first_block + 1}) {
       CHECK((on_blocks[i - first_block] - Vec2{-200, 1000}).norm() <= 1e-8);

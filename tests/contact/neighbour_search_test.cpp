@@ -33,10 +33,10 @@ Particles scattered(unsigned count, double extent, double reach, std::uint64_t s
 }
 
 template <class Broad>
-std::set<Pair> found(Broad broad, const Particles& particles, const PeriodicPlane& plane) {
-  NeighbourSearch<Broad, PeriodicPlane> search{broad};
+std::set<Pair> found(Broad broad, const Particles& particles, const PeriodicDomain& domain) {
+  NeighbourSearch<Broad, PeriodicDomain> search{broad};
   std::set<Pair> pairs;
-  search.visit_pairs(particles, plane, [&](BodyIndex a, BodyIndex b, const auto& image) {
+  search.visit_pairs(particles, domain, [&](BodyIndex a, BodyIndex b, const auto& image) {
     CHECK(a < b);
     CHECK(pairs.insert({a, b, image.axis_1, image.axis_2}).second);  // once
   });
@@ -44,7 +44,7 @@ std::set<Pair> found(Broad broad, const Particles& particles, const PeriodicPlan
 }
 
 // Every body with every image of every other, box by box.
-std::set<Pair> by_brute_force(const Particles& particles, const PeriodicPlane& plane,
+std::set<Pair> by_brute_force(const Particles& particles, const PeriodicDomain& domain,
                               double reach) {
   std::set<Pair> pairs;
   const auto count = static_cast<BodyIndex>(particles.size());
@@ -53,7 +53,7 @@ std::set<Pair> by_brute_force(const Particles& particles, const PeriodicPlane& p
       for (int i = -6; i <= 6; ++i)
         for (int j = -6; j <= 6; ++j) {
           const Vec2 between =
-              particles.body(b).position + plane.offset({i, j}) - particles.body(a).position;
+              particles.body(b).position + domain.offset({i, j}) - particles.body(a).position;
           if (between.cwiseAbs().maxCoeff() <= 2 * reach) pairs.insert({a, b, i, j});
         }
   return pairs;
@@ -62,14 +62,14 @@ std::set<Pair> by_brute_force(const Particles& particles, const PeriodicPlane& p
 }  // namespace
 
 TEST_CASE("in a periodic plane every body meets every image that is near, once") {
-  const PeriodicPlane plane{.period = {1, 1.3}};
+  const PeriodicDomain domain{.period = {1, 1.3}};
   // Bodies need not lie in the cell: these are spread over several copies of it.
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     const Particles particles = scattered(60, 1.5, 0.05, seed);
-    const std::set<Pair> expected = by_brute_force(particles, plane, 0.05);
+    const std::set<Pair> expected = by_brute_force(particles, domain, 0.05);
     REQUIRE(expected.size() > 20);
-    CHECK(found(AllPairs{.relative_skin = 0}, particles, plane) == expected);
-    CHECK(found(UniformGrid{.relative_skin = 0}, particles, plane) == expected);
+    CHECK(found(AllPairs{.relative_skin = 0}, particles, domain) == expected);
+    CHECK(found(UniformGrid{.relative_skin = 0}, particles, domain) == expected);
   }
 }
 
@@ -77,20 +77,20 @@ TEST_CASE("a body that would meet its own image is an error that names it") {
   Particles particles(1, 1);
   particles.add(diamond({0.3, 0}, 0.6), Motion::free);
   particles.add(diamond({5, 0.5}, 0.1), Motion::free);
-  NeighbourSearch<AllPairs, PeriodicPlane> search{AllPairs{}};
+  NeighbourSearch<AllPairs, PeriodicDomain> search{AllPairs{}};
   CHECK_THROWS_WITH_AS(
-      search.visit_pairs(particles, PeriodicPlane{.period = {1, 4}}, [](auto, auto, auto) {}),
+      search.visit_pairs(particles, PeriodicDomain{.period = {1, 4}}, [](auto, auto, auto) {}),
       "particle 0 meets its own image: the periodic cell is too small", SimulationError);
 }
 
 namespace {
 
-using PairOfTwo = NeighbourSearch<AllPairs, PeriodicPlane>;
+using PairOfTwo = NeighbourSearch<AllPairs, PeriodicDomain>;
 
 // A tenth of the mean diameter of 0.1 as skin: 0.01.
-PairOfTwo searched(const Particles& particles, const PeriodicPlane& plane) {
+PairOfTwo searched(const Particles& particles, const PeriodicDomain& domain) {
   PairOfTwo search{AllPairs{.relative_skin = 0.1}};
-  search.visit_pairs(particles, plane, [](auto, auto, auto) {});
+  search.visit_pairs(particles, domain, [](auto, auto, auto) {});
   return search;
 }
 
@@ -100,30 +100,30 @@ TEST_CASE("the shrinking of the cell makes the pairs stale before any can be mis
   Particles particles(1, 1);
   particles.add(diamond({0, 0}, 0.05), Motion::free);
   particles.add(diamond({0.4, 0}, 0.05), Motion::free);
-  PeriodicPlane plane{.period = {1, 1}};
-  PairOfTwo search = searched(particles, plane);
-  CHECK_FALSE(search.stale(particles, plane));
+  PeriodicDomain domain{.period = {1, 1}};
+  PairOfTwo search = searched(particles, domain);
+  CHECK_FALSE(search.stale(particles, domain));
   // An image at rest may come nearer by the skin.
-  plane.period = {0.995, 1};
-  CHECK_FALSE(search.stale(particles, plane));
+  domain.period = {0.995, 1};
+  CHECK_FALSE(search.stale(particles, domain));
   SUBCASE("of itself") {
-    plane.period = {0.985, 1};
-    CHECK(search.stale(particles, plane));
+    domain.period = {0.985, 1};
+    CHECK(search.stale(particles, domain));
   }
   SUBCASE("together with what the bodies have used up") {
     particles.body(0).position.x() -= 0.0031;
-    CHECK(search.stale(particles, plane));
+    CHECK(search.stale(particles, domain));
   }
 }
 
 TEST_CASE("pairs are stale when bodies have come or when one asks for it") {
   Particles particles = scattered(5, 1, 0.05, 1);
-  const PeriodicPlane plane{.period = {3, 3}};
-  PairOfTwo search = searched(particles, plane);
-  CHECK_FALSE(search.stale(particles, plane));
+  const PeriodicDomain domain{.period = {3, 3}};
+  PairOfTwo search = searched(particles, domain);
+  CHECK_FALSE(search.stale(particles, domain));
   search.invalidate();
-  CHECK(search.stale(particles, plane));
-  search = searched(particles, plane);
+  CHECK(search.stale(particles, domain));
+  search = searched(particles, domain);
   particles.add(diamond({0, 0}, 0.05), Motion::free);
-  CHECK(search.stale(particles, plane));
+  CHECK(search.stale(particles, domain));
 }

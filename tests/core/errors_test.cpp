@@ -13,7 +13,7 @@ using test::message_of;
 
 static_assert(std::is_base_of_v<std::invalid_argument, InvalidInput>);
 static_assert(std::is_base_of_v<std::runtime_error, SimulationError>);
-static_assert(!std::is_base_of_v<std::runtime_error, InvalidInput>, "the two are told apart");
+static_assert(!std::is_base_of_v<std::runtime_error, InvalidInput>, "the two can be distinguished");
 
 namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();

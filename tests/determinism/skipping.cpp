@@ -17,7 +17,7 @@ namespace {
 // The default without what lets particles be passed over.
 struct AlwaysAsked {
   FailedElementRatio rule{};
-  bool operator()(const FailureTally& tally) const { return rule(tally); }
+  bool operator()(const FailureCount& failures) const { return rule(failures); }
 };
 
 struct Outcome {

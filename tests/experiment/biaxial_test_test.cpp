@@ -8,7 +8,7 @@
 #include <riprap/dynamics/boundary/rigid_platens.hpp>
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/experiment/curve.hpp>
-#include <riprap/experiment/range_check.hpp>
+#include <riprap/experiment/validity_check.hpp>
 #include <riprap/output/csv.hpp>
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/particle/random_box_assembly.hpp>
@@ -65,7 +65,7 @@ struct Witness {
   template <class Sim>
   void end_stage(const BiaxialView<Sim>& view) {
     ended.push_back(view.stage);
-    const auto state = state_numbers(view.sim.contacts(), view.sim.particles());
+    const auto state = state_averages(view.sim.contacts(), view.sim.particles());
     if (view.stage == Stage::relaxation) rest_unbalanced = state.unbalanced_force;
     if (view.stage != Stage::hydrostatic) return;
     const Stress2 s =
@@ -158,11 +158,12 @@ TEST_CASE("a biaxial test goes through its stages and keeps its promises") {
   CHECK(end.stress.s22 > 1.5 * end.stress.s11);
 }
 
-TEST_CASE_TEMPLATE("every boundary carries the whole test", Edge, RigidPlatens, PeriodicCell) {
+TEST_CASE_TEMPLATE("every boundary carries the whole test", BoundaryT, RigidPlatens, PeriodicCell) {
   const RandomAssembly options{.count = 120, .seed = 3};
-  const Assembly assembly = std::is_same_v<Edge, RigidPlatens> ? random_platen_assembly(options)
-                                                               : random_periodic_assembly(options);
-  Simulation sim{Model{}.boundary(Edge{}), assembly, Rock{}};
+  const Assembly assembly = std::is_same_v<BoundaryT, RigidPlatens>
+                                ? random_platen_assembly(options)
+                                : random_periodic_assembly(options);
+  Simulation sim{Model{}.boundary(BoundaryT{}), assembly, Rock{}};
   Curve curve;
   Witness witness;
   const BiaxialResult result = small_test.run(sim, curve, witness);
@@ -307,7 +308,7 @@ TEST_CASE("a stop that an observer requests ends the test at the end of the step
     Simulation sim{Model{}, small_assembly(), Rock{}};
     StopAt stop{.stage = stage, .step = 77};
     Curve curve;
-    RangeCheck check;
+    ValidityCheck check;
     const BiaxialResult result = small_test.run(sim, curve, stop, check);
     CHECK(result.interrupted);
     CHECK(stop.steps_of_stage == 77);
@@ -350,13 +351,13 @@ TEST_CASE("an observer that requests no stop changes nothing, byte for byte") {
   CHECK(curve_with() == curve_with(StopAt{.stage = Stage::shear, .step = 1'000'000'000}));
 }
 
-TEST_CASE("a strength in the wrong unit is told before the first step") {
+TEST_CASE("a strength in the wrong unit is reported before the first step") {
   const auto warnings = [](double strength) {
     const Simulation sim{Model{}.criterion(HoekBrown{.compressive_strength = strength}),
                          random_assembly({.count = 30}), Rock{}};
     const BiaxialView<std::remove_cv_t<decltype(sim)>> view{
         .sim = sim, .confining_pressure = 8e6, .mean_diameter = 0.016};
-    RangeCheck check;
+    ValidityCheck check;
     check.begin_stage(view);
     return check.warnings();
   };
@@ -365,12 +366,12 @@ TEST_CASE("a strength in the wrong unit is told before the first step") {
   CHECK(warnings(300)[0].ends_with(": is the strength in Pa?"));
 }
 
-TEST_CASE("a share of failed elements above 1 is told: nothing can break") {
+TEST_CASE("a ratio of failed elements above 1 is reported: nothing can break") {
   const Simulation sim{Model{}.trigger(FailedElementRatio{.critical = 1.5}),
                        random_assembly({.count = 30}), Rock{}};
   const BiaxialView<std::remove_cv_t<decltype(sim)>> view{
       .sim = sim, .confining_pressure = 8e6, .mean_diameter = 0.016};
-  RangeCheck check;
+  ValidityCheck check;
   check.begin_stage(view);
   REQUIRE(check.warnings().size() == 1);
   CHECK(check.warnings()[0].ends_with("= 1.5 above 1 at strain 0 of compaction: no particle can "
@@ -380,7 +381,7 @@ TEST_CASE("a share of failed elements above 1 is told: nothing can break") {
 TEST_CASE("a servo that does not hold the lateral stress has missed the target of shear") {
   Simulation sim{Model{}.criterion(NeverFails{}), random_assembly({.count = 40, .seed = 2}),
                  Rock{}};
-  RangeCheck check({.confinement_error = 1e-9});
+  ValidityCheck check({.confinement_error = 1e-9});
   const BiaxialResult result =
       BiaxialTest{.confining_pressure = 4e6, .axial_strain = 0.005, .confinement_tolerance = 1e-9}
           .run(sim, check);

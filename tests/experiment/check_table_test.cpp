@@ -8,7 +8,8 @@
 
 using namespace riprap;
 
-TEST_CASE("a number is told the first time that it is beyond its limit, with the worst one kept") {
+TEST_CASE(
+    "a value is reported the first time that it is beyond its limit, and the worst one kept") {
   CheckTable table;
   const std::size_t row = table.add("load", true, 5, "it breaks");
   CHECK(table.rows()[row].holds());  // never measured
@@ -22,7 +23,7 @@ TEST_CASE("a number is told the first time that it is beyond its limit, with the
   CHECK(table.violations() == 1);
 }
 
-TEST_CASE("a lower limit is told from below") {
+TEST_CASE("a value below a lower limit is reported") {
   CheckTable table;
   const std::size_t row = table.add("porosity", false, 0, "no room");
   CHECK(table.measure(row, 0, Stage::shear, 0).empty());

@@ -40,8 +40,8 @@ struct Observed {
 };
 
 // Compressed from `shift` [m] for so many steps, or until six contacts have come.
-template <class Edge>
-Observed compressed(const Edge& boundary, const Vec2& shift, int& steps) {
+template <class BoundaryT>
+Observed compressed(const BoundaryT& boundary, const Vec2& shift, int& steps) {
   // Forces without jumps, so that round-off does not grow from one contact to the next.
   Simulation sim{Model{}
                      .boundary(boundary)
@@ -55,7 +55,7 @@ Observed compressed(const Edge& boundary, const Vec2& shift, int& steps) {
     const Vec2 x = sim.particles().body(i).position - centre;
     if (sim.particles().body(i).is_free()) sim.set_velocity(i, {-40 * x.x(), -60 * x.y()});
   }
-  const auto contacts = [&] { return state_numbers(sim.contacts(), sim.particles()).contacts; };
+  const auto contacts = [&] { return state_averages(sim.contacts(), sim.particles()).contacts; };
   const bool search = steps == 0;
   for (int step = 0; search ? contacts() < 6 : step < steps; ++step) {
     sim.step();
@@ -84,17 +84,17 @@ Observed compressed(const Edge& boundary, const Vec2& shift, int& steps) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("a sample away from the origin is strained and measured as one about it", Edge,
-                   StrainField, RigidPlatens, PeriodicCell) {
+TEST_CASE_TEMPLATE("a sample away from the origin is strained and measured as one about it",
+                   BoundaryT, StrainField, RigidPlatens, PeriodicCell) {
   int steps = 0;
-  const Observed here = compressed(Edge{}, {0, 0}, steps);
+  const Observed here = compressed(BoundaryT{}, {0, 0}, steps);
   CHECK(std::max(here.numbers[3], here.numbers[4]) > 1e-3);  // particles have met
   CHECK(here.numbers[7] == 0);
   for (const auto& [shift, tolerance] :
        {std::pair{Vec2{0.06, 0}, 1e-9}, std::pair{Vec2{0.1, -0.1}, 1e-9},
         std::pair{Vec2{1000, 700}, 1e-5}}) {
     CAPTURE(shift.x());
-    const Observed there = compressed(Edge{}, shift, steps);
+    const Observed there = compressed(BoundaryT{}, shift, steps);
     CHECK((there.semi_axes - here.semi_axes).norm() <= tolerance * here.semi_axes.norm());
     for (std::size_t k = 0; k < here.numbers.size(); ++k) {
       CAPTURE(k);
@@ -112,12 +112,12 @@ TEST_CASE_TEMPLATE("a sample away from the origin is strained and measured as on
   }
 }
 
-TEST_CASE_TEMPLATE("a biaxial test runs wherever its sample lies", Edge, StrainField, RigidPlatens,
-                   PeriodicCell) {
+TEST_CASE_TEMPLATE("a biaxial test runs wherever its sample lies", BoundaryT, StrainField,
+                   RigidPlatens, PeriodicCell) {
   const BiaxialTest test{.confining_pressure = 4e6, .axial_strain = 0.01};
   const auto peak = [&](const Vec2& shift) {
-    Simulation sim{Model{}.boundary(Edge{}).criterion(NeverFails{}),
-                   assembly_for(Edge{}).moved(shift), Rock{}};
+    Simulation sim{Model{}.boundary(BoundaryT{}).criterion(NeverFails{}),
+                   assembly_for(BoundaryT{}).moved(shift), Rock{}};
     Curve curve;
     const BiaxialResult result = test.run(sim, curve);
     CHECK(result.stage(Stage::hydrostatic).reached_target);

@@ -49,7 +49,7 @@ TEST_CASE("a node that slips presses less: its limit is that of the force in the
   CHECK(coulomb_slip(node, 0.3)[0] == near(2 / 1.7, 1e-10));
 }
 
-TEST_CASE("many nodes obey Coulomb's law, whoever sticks and whoever slips") {
+TEST_CASE("many nodes obey Coulomb's law, sticking or slipping") {
   Random random(401);
   int sticking = 0;
   int slipping = 0;

@@ -26,7 +26,7 @@ UnconfinedResult banded(const Line& line) {
     r.stress.set(e, {0, fails ? 600e6 : 150e6, 0});
     r.elements.push_back(evaluate(HoekBrown{}, r.stress[e]));
   }
-  r.tally = tally_failures(HoekBrown{}, r.stress);
+  r.failures = count_failures(HoekBrown{}, r.stress);
   return r;
 }
 

@@ -173,24 +173,24 @@ void check_same(const std::optional<ContactGeometry>& p, const std::optional<Con
 
 template <class Narrow>
 std::optional<ContactGeometry> fresh_contact(Ring a, Ring b) {
-  typename Narrow::Memory memory{};
-  return Narrow{}(a, b, memory);
+  typename Narrow::Cache cache{};
+  return Narrow{}(a, b, cache);
 }
 
 /// A full group of one pair.
-void check_group(const Pair& pair, const OverlapChord::Memory& memory,
+void check_group(const Pair& pair, const OverlapChord::Cache& cache,
                  const std::optional<ContactGeometry>& alone) {
-  OverlapChord::Group group;
-  std::array<ContactGeometry, OverlapChord::Group::capacity> contacts;
+  OverlapChord::Batch batch;
+  std::array<ContactGeometry, OverlapChord::Batch::capacity> contacts;
   for (ContactGeometry& contact : contacts)
-    if (!group.add(pair.a, pair.b, memory, contact)) return;
-  const unsigned found = OverlapChord{}.find(group);
+    if (!batch.add(pair.a, pair.b, cache, contact)) return;
+  const unsigned found = OverlapChord{}.find(batch);
   for (std::size_t l = 0; l < contacts.size(); ++l)
     if ((found >> l & 1U) != 0) check_same(contacts[l], alone, "a group changes a contact");
 }
 
 template <class Narrow>
-void check_narrow_phase(const Pair& pair, typename Narrow::Memory& kept) {
+void check_narrow_phase(const Pair& pair, typename Narrow::Cache& kept) {
   const Narrow narrow;
   const auto contact = fresh_contact<Narrow>(pair.a, pair.b);
   if (contact) {
@@ -208,7 +208,7 @@ void check_narrow_phase(const Pair& pair, typename Narrow::Memory& kept) {
     if (swapped) swapped->normal = -swapped->normal;
     check_same(contact, swapped, "swapped rings have another contact");
   }
-  if constexpr (requires { typename Narrow::Group; }) check_group(pair, kept, contact);
+  if constexpr (requires { typename Narrow::Batch; }) check_group(pair, kept, contact);
   const auto remembered = narrow(pair.a, pair.b, kept);
   if (!pair.has_digits()) return;
   check_same(contact, remembered, "what a pair remembers changes its contact");
@@ -277,8 +277,8 @@ void contact(Bytes bytes) {
   const std::optional<ConvexPolygon> a = polygon_from(input);
   if (!a) return;
   std::optional<ConvexPolygon> b = second_polygon(*a, input);
-  OverlapChord::Memory chord{};
-  SeparatingAxis::Memory axis{};
+  OverlapChord::Cache chord{};
+  SeparatingAxis::Cache axis{};
   for (int step = 0; step < 8 && b; ++step) {
     const Pair pair(a->ring(), b->ring());
     check_common_part(pair);

@@ -14,8 +14,8 @@ TEST_CASE("a point lies to a line at its distance, to the left, times the length
   CHECK(line({2, 7}) == -1 * 4);
   CHECK(line.along({-2, 7}) == 6 * 4);
   CHECK(line.length_bound() == 4);
-  CHECK(line.has_left({0.5, 0}, 0.49));
-  CHECK(!line.has_left({0.5, 0}, 0.51));
+  CHECK(line.lies_left_by({0.5, 0}, 0.49));
+  CHECK(!line.lies_left_by({0.5, 0}, 0.51));
 }
 
 TEST_CASE("vertices of a ring come after each other, the first after the last") {

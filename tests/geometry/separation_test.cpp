@@ -15,8 +15,8 @@ using namespace riprap::test;
 namespace {
 
 bool apart(const ConvexPolygon& a, const ConvexPolygon& b) {
-  SeparatingEdge memory;
-  return separated(a.ring(), b.ring(), memory);
+  SeparatingEdge cache;
+  return separated(a.ring(), b.ring(), cache);
 }
 
 struct Pair {
@@ -53,15 +53,15 @@ TEST_CASE("two shapes a corner apart need an edge of the right one of them") {
   // The corner of b points at the edge of a, and the other way round.
   const ConvexPolygon square = rectangle(2, 2);
   const ConvexPolygon diamond = regular_polygon(4, 1);
-  SeparatingEdge memory;
-  CHECK(separated(square.ring(), shifted(diamond, {2.01, 0}).ring(), memory));
-  CHECK_FALSE(memory.of_b);
-  CHECK(memory.edge == 1);
+  SeparatingEdge cache;
+  CHECK(separated(square.ring(), shifted(diamond, {2.01, 0}).ring(), cache));
+  CHECK_FALSE(cache.of_b);
+  CHECK(cache.edge == 1);
   // Along the diagonal only an edge of the diamond parts them.
-  memory = {};
-  CHECK(separated(square.ring(), shifted(diamond, {1.51, 1.51}).ring(), memory));
-  CHECK(memory.of_b);
-  CHECK(memory.edge == 2);
+  cache = {};
+  CHECK(separated(square.ring(), shifted(diamond, {1.51, 1.51}).ring(), cache));
+  CHECK(cache.of_b);
+  CHECK(cache.edge == 2);
 }
 
 TEST_CASE("a remembered edge never changes the answer") {
@@ -73,12 +73,12 @@ TEST_CASE("a remembered edge never changes the answer") {
     count_apart += expected;
     for (const bool of_b : {false, true})
       for (const unsigned edge : {0u, 1u, 2u, 3u, 6u, 7u, 200u, 255u}) {
-        SeparatingEdge memory{of_b, static_cast<std::uint8_t>(edge)};
-        REQUIRE(separated(p.a.ring(), p.b.ring(), memory) == expected);
+        SeparatingEdge cache{of_b, static_cast<std::uint8_t>(edge)};
+        REQUIRE(separated(p.a.ring(), p.b.ring(), cache) == expected);
         if (!expected) continue;
         // What is remembered now does part them.
-        CHECK((memory.of_b ? edge_separates(p.b.ring(), memory.edge, p.a.ring())
-                           : edge_separates(p.a.ring(), memory.edge, p.b.ring())));
+        CHECK((cache.of_b ? edge_separates(p.b.ring(), cache.edge, p.a.ring())
+                          : edge_separates(p.a.ring(), cache.edge, p.b.ring())));
       }
   }
   // Both answers were asked for.
@@ -89,10 +89,10 @@ TEST_CASE("a remembered edge never changes the answer") {
 TEST_CASE("an edge that still separates is kept") {
   const ConvexPolygon square = unit_square();
   const ConvexPolygon corner = shifted(square, {1.5, 1.5});
-  SeparatingEdge memory{true, 0};
-  CHECK(separated(square.ring(), corner.ring(), memory));
-  CHECK(memory.of_b);
-  CHECK(memory.edge == 0);
+  SeparatingEdge cache{true, 0};
+  CHECK(separated(square.ring(), corner.ring(), cache));
+  CHECK(cache.of_b);
+  CHECK(cache.edge == 0);
 }
 
 TEST_CASE("separation does not depend on the order of the two nor on the pose") {

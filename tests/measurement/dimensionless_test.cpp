@@ -53,7 +53,7 @@ TEST_CASE("state numbers are means over contacts and free bodies") {
   state.particles.body(1).contact.force = {-6, 8};
   state.particles.body(2).contact.force = {1e9, 0};  // a driven body balances nothing
   state.particles.body(0).velocity = {0.3, 0.4};
-  const StateNumbers n = state_numbers(state.contacts, state.particles);
+  const StateAverages n = state_averages(state.contacts, state.particles);
   CHECK(n.contacts == 2);
   CHECK(n.mean_normal_force == 8);
   CHECK(n.mean_overlap == near(4e-3, 1e-17));
@@ -68,16 +68,16 @@ TEST_CASE("state numbers are means over contacts and free bodies") {
 
 TEST_CASE("the unbalanced force has no unit and vanishes in equilibrium") {
   State state;
-  CHECK(state_numbers(state.contacts, state.particles).unbalanced_force == 0);
+  CHECK(state_averages(state.contacts, state.particles).unbalanced_force == 0);
   state.particles.body(0).contact.force = {9, 0};
   state.particles.body(1).contact.force = {9, 0};
-  CHECK(state_numbers(state.contacts, state.particles).unbalanced_force == near(1, 1e-15));
+  CHECK(state_averages(state.contacts, state.particles).unbalanced_force == near(1, 1e-15));
   for (FakeContact& c : state.contacts.list) {
     c.force.normal *= 1e6;
     c.force.tangential *= 1e6;
   }
   for (Body& body : state.particles.bodies()) body.contact.force *= 1e6;
-  CHECK(state_numbers(state.contacts, state.particles).unbalanced_force == near(1, 1e-15));
+  CHECK(state_averages(state.contacts, state.particles).unbalanced_force == near(1, 1e-15));
 }
 
 TEST_CASE("a body force is part of the resultant: a body that rests on its support is balanced") {
@@ -85,7 +85,7 @@ TEST_CASE("a body force is part of the resultant: a body that rests on its suppo
   state.particles.body(0).contact.force = {0, 2 * 9.81};
   state.particles.body(1).contact.force = {0, 2 * 9.81};
   const auto unbalanced = [&](const Vec2& body_force) {
-    return state_numbers(state.contacts, state.particles, body_force).unbalanced_force;
+    return state_averages(state.contacts, state.particles, body_force).unbalanced_force;
   };
   CHECK(unbalanced({0, -9.81}) == near(0, 1e-15));
   // Mean contact force 9 N.
@@ -110,7 +110,7 @@ TEST_CASE("without contacts there are no means and no ratios") {
   Particles particles(1, 2);
   particles.add(unit_square, Motion::free);
   particles.body(0).velocity = {1, 0};
-  const StateNumbers n = state_numbers(FakeContacts{}, particles);
+  const StateAverages n = state_averages(FakeContacts{}, particles);
   CHECK(n.contacts == 0);
   CHECK(n.mean_normal_force == 0);
   CHECK(n.unbalanced_force == 0);

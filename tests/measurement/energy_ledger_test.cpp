@@ -51,7 +51,7 @@ struct SpringDashpot {
     ContactForce force;
     force.normal = std::max(0.0, spring - damping * motion.normal_velocity);
     // What is not the spring's part of the force takes energy out.
-    force.damped = (spring - force.normal) * motion.normal_velocity * motion.time_step;
+    force.viscous_loss = (spring - force.normal) * motion.normal_velocity * motion.time_step;
     return force;
   }
   double stored_energy(const ContactGeometry& geometry, const History&) const {

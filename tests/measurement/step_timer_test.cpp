@@ -20,8 +20,8 @@ using namespace riprap;
 
 namespace {
 
-static_assert(hooks::has_lap<StepTimer>);
-static_assert(!hooks::has_lap<EnergyLedger>);
+static_assert(hooks::times_phases<StepTimer>);
+static_assert(!hooks::times_phases<EnergyLedger>);
 
 constexpr std::size_t count = 300;  // two tasks
 
@@ -46,24 +46,24 @@ std::string printed(const StepTimer& timer) {
   return text;
 }
 
-// Writes down what it is told.
-struct Laps {
-  std::vector<StepPart> parts;
-  void lap(StepPart part) { parts.push_back(part); }
+// Records the phases.
+struct Phases {
+  std::vector<StepPhase> parts;
+  void on_phase_end(StepPhase part) { parts.push_back(part); }
 };
 
 }  // namespace
 
-TEST_CASE("what has passed since the last lap goes to the part that is named") {
+TEST_CASE("the time since the last phase belongs to the phase that is named") {
   const auto start = std::chrono::steady_clock::now();
   StepTimer timer;
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  timer.lap(StepPart::narrow_phase);
-  CHECK(timer.seconds(StepPart::narrow_phase) >= 0.02);
-  CHECK(timer.seconds() == timer.seconds(StepPart::narrow_phase));
+  timer.on_phase_end(StepPhase::narrow_phase);
+  CHECK(timer.seconds(StepPhase::narrow_phase) >= 0.02);
+  CHECK(timer.seconds() == timer.seconds(StepPhase::narrow_phase));
   std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  timer.lap(StepPart::elsewhere);
-  CHECK(timer.seconds(StepPart::elsewhere) >= 0.01);
+  timer.on_phase_end(StepPhase::other);
+  CHECK(timer.seconds(StepPhase::other) >= 0.01);
   CHECK(timer.seconds() <= seconds_between(start));
 }
 
@@ -74,47 +74,48 @@ TEST_CASE("the parts of a run add up to nearly all of its time") {
   for (int i = 0; i < 200; ++i) sim.step(timer);
   const double all = seconds_between(start);
   double sum = 0;
-  for (std::size_t i = 0; i < step_part_count; ++i) {
-    const double part = timer.seconds(static_cast<StepPart>(i));
+  for (std::size_t i = 0; i < step_phase_count; ++i) {
+    const double part = timer.seconds(static_cast<StepPhase>(i));
     CHECK(part >= 0);
     sum += part;
   }
   CHECK(timer.seconds() == sum);
   CHECK(sum <= all);
-  CHECK(sum >= 0.5 * all);  // the end of the last step is in no lap; others may have the processor
-  CHECK(timer.seconds(StepPart::integration) > 0);
-  CHECK(timer.seconds(StepPart::contact_law) > 0);
-  CHECK(timer.seconds(StepPart::stress_check) > 0);
+  CHECK(sum >= 0.5 * all);  // the end of the last step is in no phase; others may have the processor
+  CHECK(timer.seconds(StepPhase::integration) > 0);
+  CHECK(timer.seconds(StepPhase::contact_law) > 0);
+  CHECK(timer.seconds(StepPhase::stress_check) > 0);
   CHECK(timer.particle_steps() == 200 * count);
 }
 
 TEST_CASE("the table has a line for every part, and for all") {
   StepTimer timer;
   std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  timer.lap(StepPart::splitting);
+  timer.on_phase_end(StepPhase::splitting);
   const std::string table = printed(timer);
-  CHECK(std::ranges::count(table, '\n') == 2 + step_part_count);
+  CHECK(std::ranges::count(table, '\n') == 2 + step_phase_count);
   CHECK(table.find("splitting             100.0 %") != std::string::npos);
   CHECK(table.find("integration             0.0 %") != std::string::npos);
   CHECK(printed(StepTimer{}).find("nan") == std::string::npos);
 }
 
-TEST_CASE("laps come in the order in which the parts of a step run") {
+TEST_CASE("phases end in the order in which they run") {
   Simulation sim = loose_sample();
-  Laps laps;
-  sim.step(laps);
-  REQUIRE(!laps.parts.empty());
-  CHECK(laps.parts.front() == StepPart::elsewhere);  // what was between the steps
-  std::vector<StepPart> first_times;
-  for (const StepPart part : laps.parts)
-    if (part != StepPart::elsewhere && std::ranges::count(first_times, part) == 0)
+  Phases phases;
+  sim.step(phases);
+  REQUIRE(!phases.parts.empty());
+  CHECK(phases.parts.front() == StepPhase::other);  // what was between the steps
+  std::vector<StepPhase> first_times;
+  for (const StepPhase part : phases.parts)
+    if (part != StepPhase::other && std::ranges::count(first_times, part) == 0)
       first_times.push_back(part);
   CHECK(std::ranges::is_sorted(first_times));
-  for (const StepPart part : {StepPart::integration, StepPart::broad_phase, StepPart::narrow_phase,
-                              StepPart::contact_law, StepPart::stress_check})
+  for (const StepPhase part :
+       {StepPhase::integration, StepPhase::broad_phase, StepPhase::narrow_phase,
+        StepPhase::contact_law, StepPhase::stress_check})
     CHECK(std::ranges::count(first_times, part) == 1);
   // The second kick.
-  CHECK(std::ranges::count(laps.parts, StepPart::integration) == 2);
+  CHECK(std::ranges::count(phases.parts, StepPhase::integration) == 2);
 }
 
 TEST_CASE("to be timed changes no result") {
@@ -126,13 +127,14 @@ TEST_CASE("to be timed changes no result") {
     plain.step();
   }
   const auto numbers = [](const auto& sim) {
-    std::vector<double> all{sim.contacts().slipped(), sim.work().boundary, sim.work().damping};
+    std::vector<double> all{sim.contacts().friction_loss(), sim.work().boundary,
+                            sim.work().damping};
     for (const Body& b : sim.particles().bodies())
       for (const double x : {b.position.x(), b.position.y(), b.rotation.sine, b.velocity.x(),
                              b.velocity.y(), b.angular_velocity, b.contact.moment})
         all.push_back(x);
     return all;
   };
-  CHECK(plain.contacts().slipped() > 0);
+  CHECK(plain.contacts().friction_loss() > 0);
   CHECK(test::same_bytes(numbers(timed), numbers(plain)));
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
-// riprap: a Boundary with a plane() must have PeriodicPlane plane() const and void drift(double)
+// riprap: a Boundary with a domain() must have PeriodicDomain domain() const and void drift(double)
 #include <riprap/simulation/model.hpp>
 using namespace riprap;
 
 struct Mine {
   void drive(std::vector<Body>&, double) {}
-  PeriodicPlane plane() const { return {}; }
+  PeriodicDomain domain() const { return {}; }
 };
 
 const auto model = Model{}.boundary(Mine{});

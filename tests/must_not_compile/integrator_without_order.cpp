@@ -4,9 +4,9 @@
 using namespace riprap;
 
 struct Mine {
-  static constexpr bool needs_finish = false;
+  static constexpr bool has_second_kick = false;
   void advance(Body& body, const Wrench&, double time_step) const { drift(body, time_step); }
-  void finish(Body&, const Wrench&, double) const {}
+  void second_kick(Body&, const Wrench&, double) const {}
 };
 
 const auto model = Model{}.integrator(Mine{});

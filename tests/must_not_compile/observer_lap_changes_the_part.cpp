@@ -5,7 +5,7 @@
 using namespace riprap;
 
 struct Mine {
-  void lap(StepPart&) {}
+  void on_phase_end(StepPhase&) {}
 };
 
 void run(Simulation<Model<>>& sim, Mine& observer) { sim.step(observer); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// riprap: an observer of a step must have one of the hooks lap, before_forces, after_forces,
-// before_splits, on_break, after_splits, after_step (docs/policies/observer.md)
+// riprap: an observer of a step must have one of the hooks on_phase_end, before_forces,
+// after_forces, before_splits, on_break, after_splits, after_step (docs/policies/observer.md)
 #include <riprap/simulation/simulation.hpp>
 using namespace riprap;
 

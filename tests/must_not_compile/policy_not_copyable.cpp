@@ -6,7 +6,7 @@ using namespace riprap;
 
 struct Mine {
   std::unique_ptr<double> critical;
-  bool operator()(const FailureTally& tally) const { return tally.ratio() > *critical; }
+  bool operator()(const FailureCount& failures) const { return failures.ratio() > *critical; }
 };
 
 const auto model = Model{}.trigger(Mine{});

@@ -4,7 +4,7 @@
 using namespace riprap;
 
 struct Mine {
-  void settle(std::span<BoundaryLoad>, const InfluenceOperator&) const {}
+  void apply_reactions(std::span<BoundaryLoad>, const InfluenceOperator&) const {}
 };
 
 const auto model = Model{}.support(Mine{});

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// riprap: a BreakageTrigger must have bool operator()(const FailureTally&) const
+// riprap: a BreakageTrigger must have bool operator()(const FailureCount&) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;
 
 struct Mine {
-  void operator()(const FailureTally&) const {}
+  void operator()(const FailureCount&) const {}
 };
 
 const auto model = Model{}.trigger(Mine{});

@@ -5,7 +5,7 @@
 using namespace riprap;
 
 struct Mine {
-  bool operator()(const FailureTally& tally) const { return tally.failed > 0; }
+  bool operator()(const FailureCount& failures) const { return failures.failed > 0; }
   std::size_t failed_elements_needed(std::size_t) { return 1; }
 };
 

@@ -5,7 +5,7 @@
 using namespace riprap;
 
 struct Mine {
-  bool operator()(const FailureTally& tally) const { return tally.failed > 0; }
+  bool operator()(const FailureCount& failures) const { return failures.failed > 0; }
   double strength_factor(ParticleId, double area) { return 1 / area; }
 };
 

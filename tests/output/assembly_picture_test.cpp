@@ -102,7 +102,7 @@ TEST_CASE("polygons follow the poses of the bodies") {
   CHECK_NOTHROW(static_cast<void>(polygon_of(picture(particles, {}), particles, 7)));
 }
 
-TEST_CASE("boundary, intact particles and pieces are told apart, as the legend says") {
+TEST_CASE("boundary, intact particles and pieces are distinguished, as in the legend") {
   Particles particles = field(21);
   particles.add(rectangle({21, 0}, 1, 1), Motion::strain_field);
   particles.add(rectangle({22, 0}, 1, 1), Motion::prescribed);

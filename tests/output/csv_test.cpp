@@ -152,7 +152,7 @@ BreakEvent break_of(const Ancestry& particle) {
   return {.step = 123456789012,
           .time = 0.25,
           .particle = particle,
-          .tally = {.elements = 96, .failed = 48, .lowest_safety_factor = 0.1 + 0.2},
+          .failures = {.elements = 96, .failed = 48, .lowest_safety_factor = 0.1 + 0.2},
           .mode = FailureMode::tension,
           .line = {{0.1, -0.3}, {-0.6, 0.8}},
           .pieces = {500, 501},
@@ -239,7 +239,7 @@ TEST_CASE("energy.csv has every term of the balance and what the terms leave ove
                       1e-14));
 }
 
-TEST_CASE("breakages.csv tells of every break who, when, why, where and into what") {
+TEST_CASE("breakages.csv lists particle, time, cause, place and pieces of every break") {
   const test::StillSample sample;
   auto view = test::view_of(sample);
   Curve curve;

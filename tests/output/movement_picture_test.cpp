@@ -89,7 +89,7 @@ TEST_CASE("the legend has the longest move of a free particle") {
   CHECK_NOTHROW(static_cast<void>(test::text_element(picture(sample, two_moves), "5 mm")));
 }
 
-TEST_CASE("who has not moved has no arrow") {
+TEST_CASE("a particle that has not moved has no arrow") {
   const BrokenSample sample;
   const std::vector<Move> still{{{0.01, 0.005}, {0.01, 0.005}, true}};
   const AssemblyView view = view_of(sample, still);

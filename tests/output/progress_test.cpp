@@ -70,7 +70,7 @@ TEST_CASE("each stage has a line at its beginning and one at its end, with the s
   }
 }
 
-TEST_CASE("the time left is told once there is something to judge it by, and not at the end") {
+TEST_CASE("the time left is printed once it can be estimated, and not at the end") {
   Talk talk;
   talk.view.done = 0.005;
   talk.progress.begin_stage(talk.view);
@@ -134,7 +134,7 @@ TEST_CASE("a number out of range is a warning, once") {
   CHECK(count(text, "warning") == 1);
 }
 
-TEST_CASE("warnings are kept for whoever asks, and told before the line of a stage") {
+TEST_CASE("warnings are kept, and printed before the line of a stage") {
   Talk talk;
   CHECK(talk.progress.warnings().empty());
   talk.view.stage = Stage::hydrostatic;

@@ -35,7 +35,7 @@ TEST_CASE("cells keep their points, in order and to the last bit") {
   CHECK(read.cells == std::vector<std::vector<Vec2>>{triangle, square});
 }
 
-TEST_CASE("lines are told from polygons") {
+TEST_CASE("lines are distinguished from polygons") {
   VtpFile file(VtpCells::lines);
   file.add_cell(triangle);
   const auto read = read_vtp(file.document());

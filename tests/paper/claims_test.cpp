@@ -45,7 +45,7 @@ TEST_CASE("where all is the other way, no claim holds") {
   for (const Claim& c : report::judge_claims(results, Mode::wb)) {
     CAPTURE(c.statement.id);
     CAPTURE(c.reason);
-    // Where nobody reaches RatF, as another claim would not have it, nobody can be left whole.
+    // Where no particle reaches RatF, contrary to another claim, none can be left whole.
     if (c.statement.id == "crushed_above_ratf")
       CHECK(to_text(c.verdict) == "not judged");
     else
@@ -115,7 +115,7 @@ TEST_CASE("one sample has no scatter to judge by") {
   }
 }
 
-TEST_CASE("claims are told apart, and each has what a reader needs") {
+TEST_CASE("claims are distinct, and each has what a reader needs") {
   std::set<std::string> ids;
   const auto claims = report::judge_claims(made_up_study({}), Mode::wb);
   CHECK(claims.size() >= 20);

@@ -225,7 +225,7 @@ TEST_CASE("tables have a row a group, the envelopes and stars where no test went
   CHECK(f.tables[2].rows[3][5] == "34.9*");
 }
 
-TEST_CASE("a study that has only begun is told as far as it goes") {
+TEST_CASE("a study that has only begun is reported as far as it goes") {
   Json run = run_of("pinned", 2e6, 1, 0.5);
   run["grading"]["marsal_b_g"] = nullptr;
   const rockfill::Findings f = rockfill::findings({run});

@@ -6,12 +6,12 @@
 
 using namespace riprap;
 
-TEST_CASE("nobody has no name, no parent, no root and no past") {
-  const Ancestry nobody;
-  CHECK(nobody.id == no_particle);
-  CHECK(nobody.parent == no_particle);
-  CHECK(nobody.root == no_particle);
-  CHECK(nobody.generation == 0);
+TEST_CASE("the default ancestry has no id, no parent, no root and generation 0") {
+  const Ancestry none;
+  CHECK(none.id == no_particle);
+  CHECK(none.parent == no_particle);
+  CHECK(none.root == no_particle);
+  CHECK(none.generation == 0);
 }
 
 TEST_CASE("descent is plain data that outlives the particle") {

@@ -22,7 +22,7 @@ TEST_CASE("the curve goes through a square of four by four cells in Z") {
       {0, 1, 4, 5}, {2, 3, 6, 7}, {8, 9, 12, 13}, {10, 11, 14, 15}};
   for (std::uint32_t row = 0; row < 4; ++row)
     for (std::uint32_t column = 0; column < 4; ++column)
-      CHECK(internal::place_on_curve(column, row) == expected[row][column]);
+      CHECK(internal::morton_code(column, row) == expected[row][column]);
 }
 
 TEST_CASE("sorted particles are the same ones, and neighbours in the list lie near each other") {
@@ -43,7 +43,7 @@ TEST_CASE("sorted particles are the same ones, and neighbours in the list lie ne
   };
   const Vec2 before = sum();
   const double way_before = mean_way();
-  sort_in_space(particles);
+  sort_by_morton_code(particles);
   CHECK(particles.size() == 4096);
   CHECK((sum() - before).norm() <= 1e-9);  // round-off of 4096 sums of up to 5e4
   // Two random points of the square are 52 apart on average, neighbours of a grid of 64 by 64
@@ -54,8 +54,8 @@ TEST_CASE("sorted particles are the same ones, and neighbours in the list lie ne
 
 TEST_CASE("one particle, or none, or all in one place are no difficulty") {
   std::vector<PlacedParticle> none;
-  sort_in_space(none);
+  sort_by_morton_code(none);
   std::vector<PlacedParticle> alike{square_at({1, 1}), square_at({1, 1})};
-  sort_in_space(alike);
+  sort_by_morton_code(alike);
   CHECK(alike[0].polygon[0] == Vec2{1, 1});
 }

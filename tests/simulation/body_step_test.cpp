@@ -44,10 +44,10 @@ TEST_CASE_TEMPLATE("kinetic energy is what contacts, body force and damping leav
   Particles particles = pushed();
   const Body before = particles.body(0);
   const Motion2<Scheme> motion;
-  const BodyStep step(motion, OpenPlane{}, Vec2{0, -9.81}, dt);
+  const BodyStep step(motion, UnboundedDomain{}, Vec2{0, -9.81}, dt);
   CHECK(step.first_kick_time() + step.second_kick_time() == near(dt, 1e-18));
   BodyWork work = step.advance(particles, 0, 2);
-  if (step.needs_finish) work += step.finish(particles, 0, 2);
+  if (step.has_second_kick) work += step.second_kick(particles, 0, 2);
 
   const Body& after = particles.body(0);
   // Contacts do 4 N times the way at the mean velocity of each kick. Damping makes two kicks differ
@@ -64,7 +64,7 @@ TEST_CASE_TEMPLATE("kinetic energy is what contacts, body force and damping leav
 TEST_CASE("a driven body drifts at its velocity whatever pushes it, and vertices follow") {
   Particles particles = pushed();
   const Motion2<SymplecticEuler> motion;
-  (void)BodyStep(motion, OpenPlane{}, Vec2{0, 0}, dt).advance(particles, 0, 2);
+  (void)BodyStep(motion, UnboundedDomain{}, Vec2{0, 0}, dt).advance(particles, 0, 2);
   CHECK(particles.body(1).velocity == Vec2{3, 0});
   CHECK(particles.ring(1)[0].x() == near(5 + 3 * dt, 1e-15));
   CHECK(particles.ring(0)[0].x() > 3 * dt * 0.98);
@@ -72,7 +72,7 @@ TEST_CASE("a driven body drifts at its velocity whatever pushes it, and vertices
 
 TEST_CASE("a state that is no longer finite is an error that names the particle, free or driven") {
   const Motion2<SymplecticEuler> motion;
-  const BodyStep step(motion, OpenPlane{}, Vec2{0, 0}, dt);
+  const BodyStep step(motion, UnboundedDomain{}, Vec2{0, 0}, dt);
   Particles particles = pushed();
   particles.body(0).contact.force.x() = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH_AS((void)step.advance(particles, 0, 2),
@@ -90,7 +90,7 @@ TEST_CASE("a state that is no longer finite is an error that names the particle,
 
 TEST_CASE("a body that a step would take past others is an error with its speed and the step") {
   const Motion2<SymplecticEuler> motion;
-  const BodyStep step(motion, OpenPlane{}, Vec2{0, 0}, dt);
+  const BodyStep step(motion, UnboundedDomain{}, Vec2{0, 0}, dt);
   // Half the circumradius of the unit squares, 0.354 m, in a millisecond.
   for (const BodyIndex i : {0u, 1u}) {
     Particles slow = pushed();

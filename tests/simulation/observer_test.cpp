@@ -15,14 +15,14 @@ struct Some {
 };
 struct None {};
 struct StopWatch {
-  std::vector<StepPart> laps;
-  void lap(StepPart part) { laps.push_back(part); }
+  std::vector<StepPhase> laps;
+  void on_phase_end(StepPhase part) { laps.push_back(part); }
 };
 
-// Who measures no time has none measured: a step reads a clock for the first only.
-static_assert(hooks::has_lap<StopWatch>);
-static_assert(!hooks::has_lap<None>);
-static_assert(!hooks::has_lap<Some>);
+// Only an observer that measures time makes the step read a clock.
+static_assert(hooks::times_phases<StopWatch>);
+static_assert(!hooks::times_phases<None>);
+static_assert(!hooks::times_phases<Some>);
 
 // A misspelt hook is none, one with another parameter is one, which a step refuses.
 struct Misspelt {
@@ -55,12 +55,12 @@ TEST_CASE("an observer is called for the hooks it has and left alone for the oth
   hooks::on_break(none, 1, 2);
 }
 
-TEST_CASE("an observer with a stop-watch is told the part of the step") {
+TEST_CASE("an observer that measures time gets the phase of the step") {
   StopWatch watch;
-  hooks::lap(watch, StepPart::broad_phase);
-  hooks::lap(watch, StepPart::elsewhere);
-  CHECK(watch.laps == std::vector<StepPart>{StepPart::broad_phase, StepPart::elsewhere});
+  hooks::on_phase_end(watch, StepPhase::broad_phase);
+  hooks::on_phase_end(watch, StepPhase::other);
+  CHECK(watch.laps == std::vector<StepPhase>{StepPhase::broad_phase, StepPhase::other});
 
   None none;
-  hooks::lap(none, StepPart::broad_phase);
+  hooks::on_phase_end(none, StepPhase::broad_phase);
 }

@@ -30,11 +30,11 @@ struct Touches {
   std::uint64_t number;
   std::uint64_t earlier_number = 1000;
   std::vector<std::uint32_t> earlier{};
-  static constexpr std::uint32_t new_pair = 1000;
+  static constexpr std::uint32_t not_present = 1000;
   std::span<const Touch> pairs() const { return list; }
-  std::uint64_t numbering() const { return number; }
-  std::uint64_t earlier_numbering() const { return earlier_number; }
-  std::uint32_t earlier_place(std::size_t k) const { return earlier[k]; }
+  std::uint64_t revision() const { return number; }
+  std::uint64_t previous_revision() const { return earlier_number; }
+  std::uint32_t previous_index(std::size_t k) const { return earlier[k]; }
   template <class Visit>
   void for_each_touching_of(std::size_t, Visit&& visit) const {
     for (std::size_t k = 0; k < list.size(); ++k)
@@ -51,20 +51,20 @@ Particles four_triangles() {
   return particles;
 }
 
-// Who is left by the watch, and is then compared, or evaluated if need be, as under a load that
-// breaks nobody.
+// Candidates of the incremental bounds, which are then compared, or evaluated if need be, as under
+// a load that breaks no particle.
 std::vector<BodyIndex> left_by_watch(ParticleStress<StressModel<>>& stress,
                                      const Particles& particles, const Touches& contacts) {
-  StressWorkspace work{FailureForecast(FailureRadii::of(HoekBrown{}))};
+  StressWorkspace work{FailureScreening(MohrRadiusTable::of(HoekBrown{}))};
   std::vector<BodyIndex> left;
   stress.begin_gather(particles, contacts);
-  stress.watch_task(particles, contacts, 0, 0, particles.size(), [&](BodyIndex i) {
+  stress.check_incremental_bounds(particles, contacts, 0, 0, particles.size(), [&](BodyIndex i) {
     left.push_back(i);
     stress.gather(contacts, i);
     if (stress.contact_count(i) == 0)
-      stress.watch_for_contacts(i);
-    else if (!stress.known_to_hold(particles, i))
-      CHECK_FALSE(stress.may_break(
+      stress.track_without_contacts(i);
+    else if (!stress.bound_excludes_failure(particles, i))
+      CHECK_FALSE(stress.screen(
           particles, i, 1, [](std::size_t elements) { return elements; }, work));
   });
   return left;
@@ -108,7 +108,7 @@ TEST_CASE("every particle has its own contacts and no others, across tasks too")
     CHECK(stress.contact_count(i) == partners[i].size());
     std::uint64_t sum = 0;
     for (const BodyIndex j : partners[i]) {
-      sum += spread_bits(sim.particles().ancestry(j).id);
+      sum += splitmix64(sim.particles().ancestry(j).id);
       across += task_of(i) != task_of(j);
     }
     CHECK(stress.partners(sim.particles(), i) == sum);
@@ -116,7 +116,7 @@ TEST_CASE("every particle has its own contacts and no others, across tasks too")
   CHECK(across > 20);
 }
 
-TEST_CASE("partners are told apart by who they are, not by how many") {
+TEST_CASE("partners are distinguished by their ids, not by their number") {
   const Particles particles = four_triangles();
   ParticleStress<StressModel<>> stress(StressModel<>{}, Rock{});
   stress.gather(particles, Touches{.list = {{0, 1}, {0, 2}}, .number = 1});
@@ -173,13 +173,13 @@ TEST_CASE("the watch leaves those whose contacts come, go, change much or are nu
   contacts = {.list = {contacts.list[0], touch(1, 3)},
               .number = 10,
               .earlier_number = 9,
-              .earlier = {0, Touches::new_pair}};
+              .earlier = {0, Touches::not_present}};
   CHECK(left() == Left{0, 1, 3});
   CHECK(left() == Left{});
   contacts = {.list = {touch(0, 1), touch(0, 2)},
               .number = 11,
               .earlier_number = 10,
-              .earlier = {Touches::new_pair, 0}};
+              .earlier = {Touches::not_present, 0}};
   CHECK(left() == Left{0, 1, 3});
   CHECK(left() == Left{});
   stress.forget(3);

@@ -49,7 +49,7 @@ template <class Sim>
 Assembly state_of(const Sim& sim) {
   Assembly now{.thickness = sim.particles().thickness(),
                .particles = {},
-               .period = sim.boundary().plane().period};
+               .period = sim.boundary().domain().period};
   for (BodyIndex i = 0; i < sim.particles().size(); ++i) {
     const Ring ring = sim.particles().ring(i);
     const Body& body = sim.particles().body(i);
@@ -104,7 +104,7 @@ TEST_CASE("the sample does not know where its border is") {
     here.step();
     there.step();
   }
-  CHECK(here.contacts().slipped() > 0);
+  CHECK(here.contacts().friction_loss() > 0);
   // Coordinates of 0.3 m have a round-off of 5e-17 m, depths are 1e-5 m: 1e-11 at the start, which
   // grows tenfold in fifty steps of collisions.
   check_same(stress(there), stress(here), 1e-9);

@@ -101,10 +101,10 @@ TEST_CASE("a square crushed between platens splits along the loading axis") {
   // the line may lean and shift by about one of them over the height.
   CHECK(std::abs(event.line.direction.y()) > std::cos(0.2));
   CHECK(std::abs(event.line.left_distance(Vec2{0, 0})) < 0.0016);
-  CHECK(event.tally.ratio() >= 0.4);
+  CHECK(event.failures.ratio() >= 0.4);
   // At most 0.07 is known to be gained in a step; the platens move slowly.
-  CHECK(event.tally.ratio() < 0.47);
-  CHECK(event.tally.lowest_safety_factor < 1);
+  CHECK(event.failures.ratio() < 0.47);
+  CHECK(event.failures.lowest_safety_factor < 1);
   CHECK(event.mode != FailureMode::intact);
 
   SUBCASE("the pieces have new names and the parent's ancestry") {
@@ -131,7 +131,7 @@ TEST_CASE("a square crushed between platens splits along the loading axis") {
     CHECK(std::abs(q.angular - p.angular) <= 1e-13 * p.mass * speed * 0.016);
     CHECK(std::abs(q.kinetic - p.kinetic) <= 1e-12 * p.mass * speed * speed);
   }
-  SUBCASE("observers are told in the order of the step") {
+  SUBCASE("observers are called in the order of the step") {
     const std::vector<std::string> start(around.calls.begin(), around.calls.begin() + 4);
     CHECK(start == std::vector<std::string>{"before_forces", "after_forces", "before_forces",
                                             "after_forces"});

@@ -3,7 +3,7 @@
 # Outside the layers, compiler.hpp and version.hpp are open to all of them and riprap.hpp to none: it
 # is for users.
 set(layers core material geometry particle contact dynamics stress breakage measurement simulation
-           experiment output laws)
+           experiment output conformance)
 
 get_filename_component(include ${CMAKE_CURRENT_LIST_DIR}/../../include ABSOLUTE)
 file(GLOB_RECURSE headers RELATIVE ${include} ${include}/riprap/*.hpp)

@@ -75,10 +75,10 @@ struct BroadPhase : Copyable {
 
 struct NarrowPhase : Copyable {
   using Copyable::Copyable;
-  using Memory = State<OverlapChord::Memory>;
+  using Cache = State<OverlapChord::Cache>;
   Gives<std::optional<ContactGeometry>> operator()(Takes<Ring> a, Takes<Ring> b,
-                                                   Memory& memory) const {
-    return Gives(OverlapChord{}(a.get(), b.get(), memory.value));
+                                                   Cache& cache) const {
+    return Gives(OverlapChord{}(a.get(), b.get(), cache.value));
   }
 };
 
@@ -98,12 +98,12 @@ struct ContactLaw : Copyable {
 struct Integrator : Copyable {
   using Copyable::Copyable;
   static constexpr Gives<int> order{VelocityVerlet::order};
-  static constexpr Gives<bool> needs_finish{VelocityVerlet::needs_finish};
+  static constexpr Gives<bool> has_second_kick{VelocityVerlet::has_second_kick};
   void advance(Body& body, Takes<Wrench> wrench, Takes<double> time_step) const {
     VelocityVerlet{}.advance(body, wrench.get(), time_step.get());
   }
-  void finish(Body& body, Takes<Wrench> wrench, Takes<double> time_step) const {
-    VelocityVerlet{}.finish(body, wrench.get(), time_step.get());
+  void second_kick(Body& body, Takes<Wrench> wrench, Takes<double> time_step) const {
+    VelocityVerlet{}.second_kick(body, wrench.get(), time_step.get());
   }
 };
 
@@ -184,8 +184,8 @@ struct PlaneState : Copyable {
 struct Support : Copyable {
   using Copyable::Copyable;
   static constexpr Gives<bool> needs_flexibility{true};
-  void settle(Takes<std::span<BoundaryLoad>> loads, Takes<InfluenceOperator> op) const {
-    InertiaRelief{}.settle(loads.get(), op.get());
+  void apply_reactions(Takes<std::span<BoundaryLoad>> loads, Takes<InfluenceOperator> op) const {
+    InertiaRelief{}.apply_reactions(loads.get(), op.get());
   }
 };
 
@@ -199,8 +199,8 @@ struct FailureCriterion : Copyable {
 
 struct BreakageTrigger : Copyable {
   using Copyable::Copyable;
-  Gives<bool> operator()(Takes<FailureTally> tally) const {
-    return Gives(FailedElementRatio{}(tally.get()));
+  Gives<bool> operator()(Takes<FailureCount> failures) const {
+    return Gives(FailedElementRatio{}(failures.get()));
   }
 };
 

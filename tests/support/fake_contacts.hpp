@@ -31,8 +31,8 @@ struct FakeContacts {
   [[nodiscard]] Vec2 relative_velocity(const FakeContact& c, const Particles& particles) const {
     return particles.body(c.b).velocity_at(c.arm_b) - particles.body(c.a).velocity_at(c.arm_a);
   }
-  [[nodiscard]] double slipped() const { return lost_in_slip; }
-  [[nodiscard]] double damped() const { return lost_in_dashpots; }
+  [[nodiscard]] double friction_loss() const { return lost_in_slip; }
+  [[nodiscard]] double viscous_loss() const { return lost_in_dashpots; }
 };
 
 /// A contact between bodies at `position_a` and `position_b`, with its point half way.

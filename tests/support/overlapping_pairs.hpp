@@ -22,8 +22,8 @@ namespace riprap::test {
 template <class Narrow>
 [[nodiscard]] std::optional<ContactGeometry> contact_of(const ConvexPolygon& a,
                                                         const ConvexPolygon& b) {
-  typename Narrow::Memory memory;
-  return Narrow{}(a.ring(), b.ring(), memory);
+  typename Narrow::Cache cache;
+  return Narrow{}(a.ring(), b.ring(), cache);
 }
 
 /// 0 where the two keep apart.

@@ -36,7 +36,7 @@ template <class ModelType>
             b.angular_velocity, b.contact.force.x(), b.contact.force.y(), b.contact.moment})
         numbers.push_back(x);
     for (const double x : {sim.work().boundary, sim.work().body_force, sim.work().damping,
-                           sim.contacts().slipped(), sim.contacts().damped()})
+                           sim.contacts().friction_loss(), sim.contacts().viscous_loss()})
       numbers.push_back(x);
   }
   return numbers;

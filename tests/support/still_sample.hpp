@@ -56,7 +56,7 @@ struct LossySprings : LinearSpringCoulomb {
   [[nodiscard]] ContactForce operator()(const ContactGeometry& geometry,
                                         const ContactMotion& motion, History& history) const {
     ContactForce force = LinearSpringCoulomb::operator()(geometry, motion, history);
-    if (motion.time_step > 0) force.damped = loss;
+    if (motion.time_step > 0) force.viscous_loss = loss;
     return force;
   }
 };

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include <riprap/laws/violations.hpp>
+#include <riprap/conformance/violations.hpp>
 
 namespace riprap::test {
 

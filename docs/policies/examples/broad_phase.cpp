@@ -17,7 +17,7 @@ struct SortedSweep {           // boxes sorted along axis 1; each looks ahead as
     std::ranges::stable_sort(order, {}, [&](BodyIndex i) { return boxes[i].low.x(); });
     for (auto p = order.begin(); p != order.end(); ++p)
       for (auto q = p + 1; q != order.end() && boxes[*q].low.x() <= boxes[*p].high.x(); ++q)
-        if (boxes[*p].meets(boxes[*q])) visit(std::min(*p, *q), std::max(*p, *q));
+        if (boxes[*p].overlaps(boxes[*q])) visit(std::min(*p, *q), std::max(*p, *q));
   }
   void validate() const { require_non_negative("SortedSweep.relative_skin", relative_skin); }
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <exception>
 
-#include <riprap/laws/execution.hpp>
+#include <riprap/conformance/execution.hpp>
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
 using namespace riprap;

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/laws/integrator.hpp>
+#include <riprap/conformance/integrator.hpp>
 #include <riprap/simulation/simulation.hpp>
 using namespace riprap;
 
 struct DriftThenKick {  // symplectic Euler the other way round: motion first, then the new forces
   static constexpr int order = 1;
-  static constexpr bool needs_finish = true;
+  static constexpr bool has_second_kick = true;
   void advance(Body& body, const Wrench&, double time_step) const { drift(body, time_step); }
-  void finish(Body& body, const Wrench& wrench, double time_step) const {
+  void second_kick(Body& body, const Wrench& wrench, double time_step) const {
     kick(body, wrench, time_step);
   }
-  double first_kick() const { return 0; }  // all of the impulse, and its work, is in finish
+  double first_kick_fraction() const {
+    return 0;
+  }  // all of the impulse, and its work, is in second_kick
 };
 
 int main() {

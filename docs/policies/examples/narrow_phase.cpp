@@ -7,9 +7,9 @@ using namespace riprap;
 
 struct SoftSkin {           // faces carry no load until their outermost layer is crossed
   double thickness = 1e-4;  // of the layer, both bodies together [m]
-  using Memory = OverlapChord::Memory;
-  std::optional<ContactGeometry> operator()(Ring a, Ring b, Memory& memory) const {
-    std::optional<ContactGeometry> contact = OverlapChord{}(a, b, memory);
+  using Cache = OverlapChord::Cache;
+  std::optional<ContactGeometry> operator()(Ring a, Ring b, Cache& cache) const {
+    std::optional<ContactGeometry> contact = OverlapChord{}(a, b, cache);
     if (!contact || contact->depth <= thickness) return std::nullopt;
     contact->depth -= thickness;
     return contact;

@@ -9,7 +9,7 @@ using namespace riprap;
 struct StrongContactsOnly {  // weak contacts load nothing; inertia balances what is left
   double share = 0.2;        // of the largest normal force, below which a contact is weak [-]
   static constexpr bool needs_flexibility = false;
-  void settle(std::span<BoundaryLoad> loads, const InfluenceOperator& /*op*/) const {
+  void apply_reactions(std::span<BoundaryLoad> loads, const InfluenceOperator& /*op*/) const {
     double largest = 0;
     for (const BoundaryLoad& load : loads) largest = std::max(largest, load.normal_force);
     for (BoundaryLoad& load : loads)

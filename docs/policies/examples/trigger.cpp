@@ -6,7 +6,7 @@ using namespace riprap;
 
 struct FailedCount {  // breaks when so many elements have failed
   std::size_t critical = 20;
-  bool operator()(const FailureTally& tally) const { return tally.failed >= critical; }
+  bool operator()(const FailureCount& failures) const { return failures.failed >= critical; }
   std::size_t failed_elements_needed(std::size_t) const { return critical; }
   void validate() const {
     require(critical >= 1, "FailedCount.critical", double(critical), "must be 1 or more");
@@ -21,5 +21,5 @@ int main() {
                                        {platen.moved({}, {0, -0.0150}), Motion::prescribed}}};
   Simulation sim{Model{}.trigger(FailedCount{.critical = 15}), pressed, Rock{}};
   for (int i = 0; i < 3; ++i) sim.step();
-  return !sim.breaks().empty() && sim.breaks()[0].tally.failed >= 15 ? 0 : 1;
+  return !sim.breaks().empty() && sim.breaks()[0].failures.failed >= 15 ? 0 : 1;
 }

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <riprap/breakage/failure_tally.hpp>
+#include <riprap/breakage/failure_count.hpp>
 #include <riprap/breakage/line_fit/concepts.hpp>
 #include <riprap/geometry/convex_polygon.hpp>
 #include <riprap/geometry/cut.hpp>
@@ -21,7 +21,7 @@ namespace riprap {
 
 /// How a particle is to be split.
 struct Crack {
-  FailureTally tally;
+  FailureCount failures;
   FailureMode mode = FailureMode::intact;  ///< of the first failed element
   Line line;                               ///< in laboratory coordinates
   CutRings pieces;
@@ -56,17 +56,17 @@ inline void require_whole(const CutRings& pieces, Ring ring) {
 /// line, the splitter refuses, or a piece breaks a rule of ConvexPolygon (of at most 64 vertices).
 /// Throws InvalidInput if the areas of the pieces do not add up to that of the ring.
 /// @param model  offers `criterion`, `line_fit` and `splitter`
-/// @param tally  of `stress` under the criterion
+/// @param failures  of `stress` under the criterion
 /// @param stress of the elements of `mesh`, in the body's own frame
 /// @param ring   of the particle, in laboratory coordinates
 /// @param mean_area of the intact particles [m^2]
 template <class BreakagePart>
-[[nodiscard]] std::optional<Crack> find_crack(const BreakagePart& model, const FailureTally& tally,
-                                              const Mesh& mesh, const ElementStress& stress,
-                                              const Body& body, Ring ring, double mean_area) {
-  const Stress2 first = stress[tally.first_failed];
+[[nodiscard]] std::optional<Crack>
+find_crack(const BreakagePart& model, const FailureCount& failures, const Mesh& mesh,
+           const ElementStress& stress, const Body& body, Ring ring, double mean_area) {
+  const Stress2 first = stress[failures.first_failed];
   Crack crack;
-  crack.tally = tally;
+  crack.failures = failures;
   crack.mode = evaluate(model.criterion, first).mode;
   const FailurePlanes planes =
       failure_planes(model.criterion, first.rotated(body.rotation), crack.mode);

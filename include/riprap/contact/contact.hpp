@@ -4,40 +4,40 @@
 /// Two neighbours and, while they touch, their contact.
 
 #include <riprap/contact/contact_geometry.hpp>
-#include <riprap/contact/plane.hpp>
+#include <riprap/contact/domain.hpp>
 #include <riprap/core/ids.hpp>
 #include <riprap/core/vec2.hpp>
 
 namespace riprap {
 
-/// What is kept of a contact's force from step to step.
-struct KeptForce {
+/// Components of a contact force in the frame of the contact.
+struct ForceComponents {
   double normal = 0;      ///< along the normal [N], pushing: positive
   double tangential = 0;  ///< along the tangent [N]
 };
 
 /// A pair of neighbours and, while they touch, their contact.
-template <class History, class Memory, class Image = OpenPlane::Image>
+template <class History, class Cache, class Image = UnboundedDomain::Image>
 struct Contact {
   BodyIndex a = 0;  ///< a < b
   BodyIndex b = 0;
-  [[no_unique_address]] Image image{};  ///< the copy of b that a meets, in a periodic plane
+  [[no_unique_address]] Image image{};  ///< the copy of b in contact with a, in a periodic domain
   bool touching = false;
-  bool at_platen = false;  ///< one of the two is a platen
-  bool across = false;     ///< `image` is not b itself
-  Memory memory{};
-  // What follows has a meaning only while touching.
+  bool at_platen = false;         ///< one of the two is a platen
+  bool crosses_boundary = false;  ///< of the periodic cell: `image` is not b itself
+  Cache cache{};
+  // Meaningful only while touching.
   ContactGeometry geometry{};
   History history{};
-  KeptForce force{};
-  /// Contact point minus centroid of a, when the force was evaluated [m]; zero for a platen, which
-  /// begins where it is touched.
+  ForceComponents force{};
+  /// Contact point minus centroid of a, when the force was evaluated [m]; zero for a platen, whose
+  /// contact carries no moment.
   Vec2 arm_a{0, 0};
   Vec2 arm_b{0, 0};
 
   /// Force on b [N]; a gets the opposite.
   [[nodiscard]] Vec2 force_on_b() const {
-    const auto n = geometry.normal.array();  // as pairs: half the instructions
+    const auto n = geometry.normal.array();  // vectorised
     return n * force.normal + n.reverse() * Eigen::Array2d(-force.tangential, force.tangential);
   }
   /// From the centroid of a to that of b [m].

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Which pairs a body belongs to.
+/// The pairs of each body.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,8 +12,7 @@
 
 namespace riprap {
 
-/// The sides of pairs that are a body's: side 2k is body a of the pair at place k, side 2k + 1 its
-/// body b.
+/// For each body, its sides of pairs: side 2k is body a of pair k, side 2k + 1 its body b.
 class PairIndex {
  public:
   /// @param pairs of bodies `a` and `b` below `bodies`

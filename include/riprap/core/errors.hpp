@@ -34,7 +34,7 @@ struct SimulationError : std::runtime_error {
 
 namespace internal {
 
-// Out of line and made small: its text is not put together again wherever a rule is asked for.
+// Out of line and made small: its text is not composed anew wherever a rule is checked.
 [[noreturn, gnu::cold, gnu::noinline]] inline void
 throw_invalid(std::string_view name, double value, std::string_view rule) {
   throw InvalidInput(std::string(name) + " = " + to_text(value) + ": " + std::string(rule));

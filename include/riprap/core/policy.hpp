@@ -9,7 +9,7 @@
 
 namespace riprap {
 
-namespace clauses {
+namespace requirements {
 
 /// A `Model` keeps policies by value and passes them on to the next one; nothing is assigned, so
 /// that a lambda with captures will do.
@@ -17,28 +17,29 @@ template <class P>
 concept PolicyCopy = std::copy_constructible<P>;
 
 /// Optional: `policy.validate()` throws InvalidInput for parameters that break a rule. A function
-/// that is not const would be passed over in silence.
+/// that is not const would be ignored silently.
 template <class P>
 concept PolicyValidate =
     !requires(P& policy) { policy.validate(); } || requires(const P& policy) { policy.validate(); };
 
-}  // namespace clauses
+}  // namespace requirements
 
 /// The part of every role that has nothing to do with the role.
 template <class P>
-concept Policy = clauses::PolicyCopy<P> && clauses::PolicyValidate<P>;
+concept Policy = requirements::PolicyCopy<P> && requirements::PolicyValidate<P>;
 
-/// Says in one sentence which clause a policy breaks, in an error that names its type. Every role
-/// has such a function beside its concept, with the same clauses; the setters of Model ask it.
+/// One sentence about the requirement that a policy breaks, in an error that names its type. Every
+/// role has such a function beside its concept, with the same requirements; the setters of Model
+/// call it.
 template <class P>
 consteval bool check_policy() {
-  static_assert(clauses::PolicyCopy<P>,
+  static_assert(requirements::PolicyCopy<P>,
                 "riprap: a policy must be copy-constructible, for a Model keeps it by value");
-  static_assert(clauses::PolicyValidate<P>, "riprap: validate() of a policy must be const");
+  static_assert(requirements::PolicyValidate<P>, "riprap: validate() of a policy must be const");
   return Policy<P>;
 }
 
-/// Asks a policy that has rules of its own; throws InvalidInput.
+/// Calls `validate()` of a policy that has one; throws InvalidInput.
 template <class P>
 void validate(const P& policy) {
   if constexpr (requires { policy.validate(); }) policy.validate();

@@ -27,18 +27,18 @@ namespace riprap::internal {
 
 /// Puts something back when its scope is left, by an exception too.
 template <class Action>
-class Restore {
+class ScopeExit {
  public:
-  explicit Restore(Action action) : action_(std::move(action)) {}
-  Restore(const Restore&) = delete;
-  Restore& operator=(const Restore&) = delete;
-  ~Restore() { action_(); }
+  explicit ScopeExit(Action action) : action_(std::move(action)) {}
+  ScopeExit(const ScopeExit&) = delete;
+  ScopeExit& operator=(const ScopeExit&) = delete;
+  ~ScopeExit() { action_(); }
 
  private:
   Action action_;
 };
 
-/// One biaxial test on its way.
+/// The stages of one biaxial test.
 template <class Test, class Sim, class... Observers>
 class BiaxialRun {
  public:
@@ -51,7 +51,7 @@ class BiaxialRun {
 
   BiaxialResult run() {
     {
-      const Restore breakage([this, wanted = sim_.breakage()] { sim_.set_breakage(wanted); });
+      const ScopeExit breakage([this, wanted = sim_.breakage()] { sim_.set_breakage(wanted); });
       sim_.set_breakage(false);
       stage(Stage::compaction, [&] { return compact(); });
       stage(Stage::relaxation, [&] { return relax(); });
@@ -95,7 +95,7 @@ class BiaxialRun {
     const auto sample = region();
     const Vec2 centre = centre_of(sample);
     const double far = 4 * Vec2(sample.semi_axes()).norm();
-    if constexpr (!Sim::Plane::periodic)
+    if constexpr (!Sim::Domain::periodic)
       for (BodyIndex i = 0; i < sim_.particles().size(); ++i) {
         const double distance = (sim_.particles().body(i).position - centre).norm();
         if (sim_.particles().body(i).is_free() && !(distance <= far))
@@ -106,7 +106,7 @@ class BiaxialRun {
   }
 
   [[nodiscard]] double unbalanced_force() const {
-    return state_numbers(sim_.contacts(), sim_.particles(), sim_.body_force()).unbalanced_force;
+    return state_averages(sim_.contacts(), sim_.particles(), sim_.body_force()).unbalanced_force;
   }
 
   template <class Program>
@@ -118,7 +118,7 @@ class BiaxialRun {
     first_area_ = region().area();
     view_.area = first_area_;
     set_rate({0, 0});
-    tell([&](auto& o) { hooks::begin_stage(o, view_); });
+    notify([&](auto& o) { hooks::begin_stage(o, view_); });
     const std::uint64_t first_step = sim_.steps();
     const auto begun = std::chrono::steady_clock::now();
     view_.reached_target = program();
@@ -127,7 +127,7 @@ class BiaxialRun {
     outcome(stage).wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     if (!view_.interrupted) view_.done = 1;
-    tell([&](auto& o) { hooks::end_stage(o, view_); });
+    notify([&](auto& o) { hooks::end_stage(o, view_); });
   }
 
   [[nodiscard]] BiaxialResult::StageResult& outcome(Stage stage) {
@@ -140,10 +140,10 @@ class BiaxialRun {
     view_.stretch -= sim_.time_step() * componentwise_product(view_.rate, view_.stretch);
     view_.area = first_area_ * view_.stretch.x() * view_.stretch.y();
     for (std::size_t i = breaks; i < sim_.breaks().size(); ++i)
-      tell([&](auto& o) { hooks::record_break(o, view_, sim_.breaks()[i]); });
+      notify([&](auto& o) { hooks::record_break(o, view_, sim_.breaks()[i]); });
     // Steps with breaks take long.
     if (breaks != sim_.breaks().size()) progress(view_.done);
-    tell([&](auto& o) { view_.interrupted |= hooks::stop_requested(o, view_); });
+    notify([&](auto& o) { view_.interrupted |= hooks::stop_requested(o, view_); });
   }
   void set_rate(const Vec2& rate) {
     view_.rate = rate;
@@ -152,15 +152,15 @@ class BiaxialRun {
   // The share only ever grows, whatever estimate it comes from.
   void progress(double done) {
     view_.done = std::clamp(done, view_.done, 1.0);
-    tell([&](auto& o) { hooks::progress(o, view_); });
+    notify([&](auto& o) { hooks::progress(o, view_); });
   }
   template <class Call>
-  void tell(Call&& call) {
+  void notify(Call&& call) {
     std::apply([&](auto&... o) { (call(o), ...); }, observers_);
   }
 
-  // Steps, each after `steer()`, until `finished()`, asked now and then, says so; false if the cap
-  // on steps or a stop came first.
+  // Steps, each after `steer()`, until `finished()`, called at intervals, returns true; false if
+  // the cap on steps or a stop came first.
   template <class Steer, class Finished>
   bool step_until(Steer&& steer, Finished&& finished) {
     for (std::uint64_t n = 1; n <= test_.most_steps; ++n) {
@@ -180,7 +180,7 @@ class BiaxialRun {
     const double rate = rate_at(test_.compaction_inertial_number, test_.jam_pressure);
     auto& law = sim_.contact_law();
     constexpr bool exchangeable = std::is_copy_assignable_v<std::remove_reference_t<decltype(law)>>;
-    const Restore friction([&law, original = law] {
+    const ScopeExit friction([&law, original = law] {
       if constexpr (exchangeable) law = original;
     });
     if constexpr (exchangeable) law = frictionless(law);
@@ -286,7 +286,7 @@ class BiaxialRun {
 
   void record() {
     check_sample();
-    tell([&](auto& o) { hooks::record(o, view_); });
+    notify([&](auto& o) { hooks::record(o, view_); });
   }
 
   // A tuple of an observer that has hooks of a step, or of none.

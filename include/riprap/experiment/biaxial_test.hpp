@@ -56,8 +56,8 @@ struct BiaxialTest {
   template <class Sim, class... Observers>
   BiaxialResult run(Sim& sim, Observers&&... observers) const {
     (hooks::check_biaxial_observer<std::remove_cvref_t<Observers>, Sim>(), ...);
-    using Edge = std::remove_cvref_t<decltype(sim.boundary())>;
-    if constexpr (check_sample_boundary<Edge>()) {
+    using BoundaryT = std::remove_cvref_t<decltype(sim.boundary())>;
+    if constexpr (check_sample_boundary<BoundaryT>()) {
       validate();
       return internal::BiaxialRun<BiaxialTest, Sim, Observers...>(*this, sim, observers...).run();
     } else {

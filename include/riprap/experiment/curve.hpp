@@ -33,7 +33,7 @@ struct CurvePoint {
   Fabric fabric;
   double inertial_number = 0;  ///< with the present strain rate and mean stress
   double overlap_ratio = 0;    ///< mean overlap over mean diameter
-  StateNumbers state;
+  StateAverages state;
   std::size_t lost_particles = 0;
   EnergyTerms energy;  ///< since the start of shear
 
@@ -129,7 +129,7 @@ class Curve {
     p.fabric = fabric(contact_samples(contacts));
     p.inertial_number =
         inertial_number(view.rate.y(), view.mean_diameter, particles.density(), p.stress.mean());
-    p.state = state_numbers(contacts, particles, view.sim.body_force());
+    p.state = state_averages(contacts, particles, view.sim.body_force());
     p.overlap_ratio = p.state.mean_overlap / view.mean_diameter;
     p.lost_particles = region.lost();
     p.energy = ledger_.terms(view.sim);

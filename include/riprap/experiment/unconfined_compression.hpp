@@ -152,7 +152,7 @@ struct UnconfinedCompression {
 
   template <class C>
   static void judge(const C& criterion, UnconfinedResult& r) {
-    r.tally = tally_failures(criterion, r.stress);
+    r.failures = count_failures(criterion, r.stress);
     for (std::size_t e = 0; e < r.stress.size(); ++e) {
       r.elements.push_back(evaluate(criterion, r.stress[e]));
       r.tensile += r.elements[e].mode == FailureMode::tension;

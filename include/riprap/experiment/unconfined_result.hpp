@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <riprap/breakage/crack.hpp>
-#include <riprap/breakage/failure_tally.hpp>
+#include <riprap/breakage/failure_count.hpp>
 #include <riprap/stress/element_stress.hpp>
 #include <riprap/stress/mesh/mesh.hpp>
 
@@ -34,7 +34,7 @@ struct UnconfinedResult {
   Mesh mesh;
   ElementStress stress;
   std::vector<ElementFailure> elements;
-  FailureTally tally;
+  FailureCount failures;
   std::size_t tensile = 0;  ///< elements that failed in tension
   std::size_t shear = 0;
 
@@ -44,7 +44,7 @@ struct UnconfinedResult {
   std::vector<PlatenNode> platen_nodes;  ///< of the bottom platen from the left, then of the top's
 
   /// Rat [-].
-  [[nodiscard]] double ratio() const { return tally.ratio(); }
+  [[nodiscard]] double ratio() const { return failures.ratio(); }
 
   /// The least force with which a platen presses on a node [N]. Nodes cannot lift off: below 0 the
   /// platens were glued on there.
@@ -63,8 +63,8 @@ struct UnconfinedResult {
 template <FailureCriterion C, LineFit F>
 [[nodiscard]] std::optional<Line> failure_line(const UnconfinedResult& result, const C& criterion,
                                                const F& fit) {
-  if (result.tally.failed == 0) return std::nullopt;
-  const std::size_t first = result.tally.first_failed;
+  if (result.failures.failed == 0) return std::nullopt;
+  const std::size_t first = result.failures.first_failed;
   const FailurePlanes planes =
       failure_planes(criterion, result.stress[first], result.elements[first].mode);
   const auto points = failed_points(criterion, result.mesh, result.stress, Body{});

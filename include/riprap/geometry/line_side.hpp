@@ -37,7 +37,7 @@ struct LineSide {
   [[nodiscard]] double length_bound() const { return std::abs(x) + std::abs(y); }
 
   /// Does v lie to the left by `margin` [m], or a little more?
-  [[nodiscard]] bool has_left(const Vec2& v, double margin) const {
+  [[nodiscard]] bool lies_left_by(const Vec2& v, double margin) const {
     return (*this)(v) > margin * length_bound();
   }
 
@@ -51,7 +51,7 @@ struct LineSide {
                                              double margin) {
   const std::size_t n = ring.size();
   for (std::size_t j = 0; j < n; ++j)
-    if (j != i && !LineSide(ring[j], ring[next_vertex(j, n)]).has_left(v, margin)) return false;
+    if (j != i && !LineSide(ring[j], ring[next_vertex(j, n)]).lies_left_by(v, margin)) return false;
   return true;
 }
 

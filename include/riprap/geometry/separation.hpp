@@ -38,11 +38,11 @@ struct SeparatingEdge {
 
 /// Looks for an edge of a or b that parts the two convex rings, and remembers it. True if there is
 /// one.
-[[nodiscard]] inline bool find_separating_edge(Ring a, Ring b, SeparatingEdge& memory) {
-  const auto search = [&memory](Ring ring, Ring other, bool of_b) {
+[[nodiscard]] inline bool find_separating_edge(Ring a, Ring b, SeparatingEdge& cache) {
+  const auto search = [&cache](Ring ring, Ring other, bool of_b) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       if (!edge_separates(ring, i, other)) continue;
-      memory = {of_b, static_cast<std::uint8_t>(i), gap_beyond(ring, i, other)};
+      cache = {of_b, static_cast<std::uint8_t>(i), gap_beyond(ring, i, other)};
       return true;
     }
     return false;
@@ -50,16 +50,16 @@ struct SeparatingEdge {
   return search(a, b, false) || search(b, a, true);
 }
 
-/// True if an edge of a or b parts the two convex rings; `memory` holds the edge that did so last
+/// True if an edge of a or b parts the two convex rings; `cache` holds the edge that did so last
 /// and is tried first.
-[[nodiscard]] inline bool separated(Ring a, Ring b, SeparatingEdge& memory) {
-  const Ring ring = memory.of_b ? b : a;
-  const Ring other = memory.of_b ? a : b;
-  if (memory.edge < ring.size() && edge_separates(ring, memory.edge, other)) {
-    memory.gap = gap_beyond(ring, memory.edge, other);
+[[nodiscard]] inline bool separated(Ring a, Ring b, SeparatingEdge& cache) {
+  const Ring ring = cache.of_b ? b : a;
+  const Ring other = cache.of_b ? a : b;
+  if (cache.edge < ring.size() && edge_separates(ring, cache.edge, other)) {
+    cache.gap = gap_beyond(ring, cache.edge, other);
     return true;
   }
-  return find_separating_edge(a, b, memory);
+  return find_separating_edge(a, b, cache);
 }
 
 /// The direction in which two overlapping rings are least entangled.

@@ -39,7 +39,7 @@ namespace riprap {
 }
 
 /// Means over the contacts and free bodies of one state.
-struct StateNumbers {
+struct StateAverages {
   std::size_t contacts = 0;
   double mean_normal_force = 0;  ///< [N]
   double unbalanced_force = 0;   ///< mean resultant on free bodies over mean contact force [-]
@@ -55,9 +55,9 @@ struct StateNumbers {
 
 /// @param body_force acceleration [m/s^2]: part of the resultant on a free body
 template <class Contacts>
-[[nodiscard]] StateNumbers state_numbers(const Contacts& contacts, const Particles& particles,
-                                         const Vec2& body_force = Vec2{0, 0}) {
-  StateNumbers n;
+[[nodiscard]] StateAverages state_averages(const Contacts& contacts, const Particles& particles,
+                                           const Vec2& body_force = Vec2{0, 0}) {
+  StateAverages n;
   double force = 0;
   contacts.for_each_touching([&](const auto& c) {
     ++n.contacts;

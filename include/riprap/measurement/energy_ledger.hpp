@@ -64,8 +64,8 @@ class EnergyLedger {
     if (!is_open_) return;
     contact_work_ += 0.5 * contact_power(sim) * sim.time_step();
     const double stored = stored_energy(sim.contacts());
-    const double slip = sim.contacts().slipped();
-    const double dashpot = sim.contacts().damped();
+    const double slip = sim.contacts().friction_loss();
+    const double dashpot = sim.contacts().viscous_loss();
     terms_.law_residual -=
         contact_work_ + (stored - stored_) + (slip - slip_) + (dashpot - dashpot_);
     stored_ = stored;
@@ -83,8 +83,8 @@ class EnergyLedger {
     if (!is_open_) return;
     stored_ = stored_energy(sim.contacts());
     // A contact that carries less than before may slip at once; that has a term of its own.
-    const double slip = std::exchange(slip_, sim.contacts().slipped());
-    const double dashpot = std::exchange(dashpot_, sim.contacts().damped());
+    const double slip = std::exchange(slip_, sim.contacts().friction_loss());
+    const double dashpot = std::exchange(dashpot_, sim.contacts().viscous_loss());
     terms_.breakage += before_split_ - stored_ - kinetic_energy(sim.particles()) - (slip_ - slip) -
                        (dashpot_ - dashpot);
   }
@@ -122,8 +122,8 @@ class EnergyLedger {
             sim.work().damping,
             kinetic_energy(sim.particles()),
             stored_energy(sim.contacts()),
-            sim.contacts().slipped(),
-            sim.contacts().damped()};
+            sim.contacts().friction_loss(),
+            sim.contacts().viscous_loss()};
   }
 
   // Power of all contact forces on both bodies of each contact [W].

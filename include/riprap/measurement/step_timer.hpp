@@ -8,11 +8,11 @@
 #include <cstdint>
 #include <cstdio>
 
-#include <riprap/core/step_part.hpp>
+#include <riprap/core/step_phase.hpp>
 
 namespace riprap {
 
-/// An observer with a stop-watch. Reads a clock some ten times a step, which small samples feel
+/// An observer that measures time. Reads a clock some ten times a step, which small samples feel
 /// (0.3 us a step); a simulation without it reads none.
 ///
 ///     StepTimer timer;
@@ -21,7 +21,7 @@ namespace riprap {
 class StepTimer {
  public:
   /// What has passed since the last call was `part`.
-  void lap(StepPart part) {
+  void on_phase_end(StepPhase part) {
     const Clock::time_point now = Clock::now();
     seconds_[index(part)] += std::chrono::duration<double>(now - last_).count();
     last_ = now;
@@ -31,7 +31,7 @@ class StepTimer {
     particle_steps_ += sim.particles().size();
   }
 
-  [[nodiscard]] double seconds(StepPart part) const { return seconds_[index(part)]; }
+  [[nodiscard]] double seconds(StepPhase part) const { return seconds_[index(part)]; }
   [[nodiscard]] double seconds() const {
     double sum = 0;
     for (const double s : seconds_) sum += s;
@@ -45,8 +45,8 @@ class StepTimer {
     const double all = seconds();
     const double each = particle_steps_ == 0 ? 0 : 1e9 / static_cast<double>(particle_steps_);
     std::fprintf(out, "part of the step       share   ns/particle-step\n");
-    for (std::size_t i = 0; i < step_part_count; ++i)
-      std::fprintf(out, "%-20s %6.1f %%  %12.1f\n", to_text(static_cast<StepPart>(i)),
+    for (std::size_t i = 0; i < step_phase_count; ++i)
+      std::fprintf(out, "%-20s %6.1f %%  %12.1f\n", to_text(static_cast<StepPhase>(i)),
                    all > 0 ? 100 * seconds_[i] / all : 0.0, each * seconds_[i]);
     std::fprintf(out, "%-20s %6.1f %%  %12.1f\n", "all", 100.0, each * all);
   }
@@ -54,9 +54,9 @@ class StepTimer {
  private:
   using Clock = std::chrono::steady_clock;
 
-  [[nodiscard]] static std::size_t index(StepPart part) { return static_cast<std::size_t>(part); }
+  [[nodiscard]] static std::size_t index(StepPhase part) { return static_cast<std::size_t>(part); }
 
-  std::array<double, step_part_count> seconds_{};
+  std::array<double, step_phase_count> seconds_{};
   Clock::time_point last_ = Clock::now();
   std::uint64_t particle_steps_ = 0;
 };

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <riprap/experiment/movement.hpp>
+#include <riprap/experiment/incremental_displacement.hpp>
 #include <riprap/output/assembly_view.hpp>
 
 namespace riprap {

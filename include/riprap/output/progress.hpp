@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include <riprap/experiment/range_check.hpp>
 #include <riprap/experiment/stage.hpp>
+#include <riprap/experiment/validity_check.hpp>
 
 #if __has_include(<unistd.h>)
 #include <unistd.h>
@@ -27,7 +27,7 @@ class Progress {
   /// Everything that left its range so far.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return check_.warnings(); }
   /// Every number that is checked, beside its limit.
-  [[nodiscard]] RangeCheck& check() { return check_; }
+  [[nodiscard]] ValidityCheck& check() { return check_; }
 
   template <class Sim>
   void begin_stage(const BiaxialView<Sim>& view) {
@@ -110,7 +110,7 @@ class Progress {
   Clock::time_point begun_ = Clock::now();
   Clock::time_point last_ = begun_;
   std::size_t breaks_before_ = 0;
-  RangeCheck check_;
+  ValidityCheck check_;
   std::size_t warned_ = 0;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Who a particle is and which particle it came from.
+/// Identity of a particle, and the particle it came from.
 
 #include <riprap/core/ids.hpp>
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include <riprap/core/order.hpp>
+#include <riprap/core/argsort.hpp>
 #include <riprap/core/random.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
 #include <riprap/geometry/random_polygon.hpp>
@@ -130,7 +130,7 @@ void place_at_random(const RandomPolygons& made, Assembly& assembly, DrawCentre&
       grid.insert(p.polygon, area_properties(p.polygon.ring()).centroid);
 
   constexpr unsigned most_tries = 100000;
-  for (const std::size_t k : rising_order(smallness)) {
+  for (const std::size_t k : argsort(smallness)) {
     const ConvexPolygon& polygon = made.polygons[k];
     for (unsigned tries = 0;; ++tries) {
       if (tries == most_tries)
@@ -145,7 +145,7 @@ void place_at_random(const RandomPolygons& made, Assembly& assembly, DrawCentre&
       break;
     }
   }
-  sort_in_space(std::span(assembly.particles).subspan(first));
+  sort_by_morton_code(std::span(assembly.particles).subspan(first));
 }
 
 }  // namespace internal

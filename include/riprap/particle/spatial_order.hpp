@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Particles in an order in which neighbours in space are neighbours in memory.
+/// Spatial sorting: neighbours in space become neighbours in memory.
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <riprap/core/order.hpp>
+#include <riprap/core/argsort.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
 #include <riprap/particle/assembly.hpp>
 
@@ -18,9 +18,9 @@ namespace riprap {
 
 namespace internal {
 
-/// Place on the Z-shaped curve through a grid of 2^32 by 2^32 cells (Morton 1966): the bits of both
-/// coordinates in turn.
-[[nodiscard]] inline std::uint64_t place_on_curve(std::uint32_t column, std::uint32_t row) {
+/// Index along the Z-order curve through a grid of 2^32 by 2^32 cells (Morton 1966): the bits of
+/// both coordinates interleaved.
+[[nodiscard]] inline std::uint64_t morton_code(std::uint32_t column, std::uint32_t row) {
   std::uint64_t place = 0;
   for (unsigned bit = 0; bit < 32; ++bit) {
     place |= std::uint64_t{(column >> bit) & 1U} << (2 * bit);
@@ -31,10 +31,10 @@ namespace internal {
 
 }  // namespace internal
 
-/// Sorts particles along a curve that fills the plane, so that the bodies of a contact lie near
-/// each other in memory and most contacts have both in one task. Random assemblies come sorted; for
-/// a large one of your own, sort it before the simulation is made.
-inline void sort_in_space(std::span<PlacedParticle> particles) {
+/// Sorts particles along a space-filling curve, so that the bodies of a contact are close in memory
+/// and most contacts have both in one task. Random assemblies are sorted; sort a large one of your
+/// own before the simulation is made.
+inline void sort_by_morton_code(std::span<PlacedParticle> particles) {
   if (particles.empty()) return;
   std::vector<Vec2> centres;
   Vec2 low = area_properties(particles[0].polygon.ring()).centroid;
@@ -49,11 +49,11 @@ inline void sort_in_space(std::span<PlacedParticle> particles) {
   std::vector<double> places;  // whole numbers, exact: 34 bits at most
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const Vec2 at = cells * (centres[i] - low);
-    places.push_back(static_cast<double>(internal::place_on_curve(
+    places.push_back(static_cast<double>(internal::morton_code(
         static_cast<std::uint32_t>(at.x()), static_cast<std::uint32_t>(at.y()))));
   }
   std::vector<PlacedParticle> sorted;
-  for (const std::size_t i : rising_order(places)) sorted.push_back(std::move(particles[i]));
+  for (const std::size_t i : argsort(places)) sorted.push_back(std::move(particles[i]));
   std::move(sorted.begin(), sorted.end(), particles.begin());
 }
 

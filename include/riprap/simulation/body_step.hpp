@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include <riprap/contact/plane.hpp>
+#include <riprap/contact/domain.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/dynamics/integrator/concepts.hpp>
 #include <riprap/particle/particles.hpp>
@@ -29,21 +29,21 @@ struct BodyWork {
 /// Moves free bodies by the integrator and driven ones at their velocity. Each kick's work is
 /// booked with the velocities before and after it.
 /// @tparam MotionPart offers `integrator` and `damping`
-template <class MotionPart, class Plane>
+template <class MotionPart, class Domain>
 class BodyStep {
  public:
-  static constexpr bool needs_finish = decltype(MotionPart::integrator)::needs_finish;
+  static constexpr bool has_second_kick = decltype(MotionPart::integrator)::has_second_kick;
 
   /// @param body_force acceleration of the uniform body force [m/s^2]; @param time_step [s]
-  BodyStep(const MotionPart& motion, const Plane& plane, const Vec2& body_force, double time_step)
-      : motion_(motion), plane_(plane), body_force_(body_force), time_step_(time_step) {}
+  BodyStep(const MotionPart& motion, const Domain& domain, const Vec2& body_force, double time_step)
+      : motion_(motion), domain_(domain), body_force_(body_force), time_step_(time_step) {}
 
   /// Time of the first and of the second kick [s].
   [[nodiscard]] double first_kick_time() const {
-    return first_kick(motion_.integrator) * time_step_;
+    return first_kick_fraction(motion_.integrator) * time_step_;
   }
   [[nodiscard]] double second_kick_time() const {
-    return (1 - first_kick(motion_.integrator)) * time_step_;
+    return (1 - first_kick_fraction(motion_.integrator)) * time_step_;
   }
 
   /// Forces of the present poses move bodies `first` to `last` to the next ones. Returns the work
@@ -76,14 +76,14 @@ class BodyStep {
   }
 
   /// The second kick of bodies `first` to `last`, for integrators that have one.
-  [[nodiscard]] BodyWork finish(Particles& particles, BodyIndex first, BodyIndex last) const {
+  [[nodiscard]] BodyWork second_kick(Particles& particles, BodyIndex first, BodyIndex last) const {
     const double kick_time = second_kick_time();
     BodyWork work;
     for (BodyIndex i = first; i < last; ++i) {
       Body& body = particles.body(i);
       if (body.is_free())
         kick_free(body, kick_time, work, [this](Body& b, const Wrench& w) {
-          motion_.integrator.finish(b, w, time_step_);
+          motion_.integrator.second_kick(b, w, time_step_);
         });
       else
         book_driven(body, kick_time, work);
@@ -111,9 +111,9 @@ class BodyStep {
 
   // Damping acts on the motion relative to a periodic cell's own, which is the same for all images.
   [[nodiscard]] decltype(auto) seen_by_damping(const Body& body) const {
-    if constexpr (Plane::periodic) {
+    if constexpr (Domain::periodic) {
       Body seen = body;
-      seen.velocity += componentwise_product(plane_.rate, body.position - plane_.centre);
+      seen.velocity += componentwise_product(domain_.rate, body.position - domain_.centre);
       return seen;
     } else {
       return (body);
@@ -160,7 +160,7 @@ class BodyStep {
   }
 
   const MotionPart& motion_;
-  [[no_unique_address]] Plane plane_;
+  [[no_unique_address]] Domain domain_;
   Vec2 body_force_;
   double time_step_;
 };

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-#include <riprap/breakage/failure_tally.hpp>
+#include <riprap/breakage/failure_count.hpp>
 #include <riprap/geometry/cut.hpp>
 #include <riprap/particle/ancestry.hpp>
 
@@ -17,7 +17,7 @@ struct BreakEvent {
   std::uint64_t step = 0;
   double time = 0;                         ///< [s]
   Ancestry particle;                       ///< the one that broke
-  FailureTally tally;                      ///< of the evaluation that broke it
+  FailureCount failures;                   ///< of the evaluation that broke it
   FailureMode mode = FailureMode::intact;  ///< of the first failed element
   Line line;                               ///< the crack, in laboratory coordinates
   std::array<ParticleId, 2> pieces{no_particle, no_particle};

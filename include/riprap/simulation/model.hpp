@@ -28,7 +28,7 @@
 
 namespace riprap {
 
-/// Who touches whom, with what force.
+/// From poses to contact forces.
 template <BroadPhase Broad = UniformGrid, NarrowPhase Narrow = OverlapChord,
           ContactLaw Law = LinearSpringCoulomb>
 struct ContactModel {
@@ -40,25 +40,25 @@ template <class B, class N, class L>
 ContactModel(B, N, L) -> ContactModel<B, N, L>;
 
 /// From forces to motion.
-template <Integrator Integration = SymplecticEuler, Damping Damper = LocalDamping,
-          TimeStepRule Step = MassFloor, Boundary Edge = StrainField>
+template <Integrator IntegratorT = SymplecticEuler, Damping DampingT = LocalDamping,
+          TimeStepRule Step = MassFloor, Boundary BoundaryT = StrainField>
 struct MotionModel {
-  Integration integrator{};
-  Damper damping{};
+  IntegratorT integrator{};
+  DampingT damping{};
   Step time_step{};
-  Edge boundary{};
+  BoundaryT boundary{};
 };
 template <class I, class D, class T, class B>
 MotionModel(I, D, T, B) -> MotionModel<I, D, T, B>;
 
 /// From contact forces to the stress in every triangle of a particle.
-template <Mesher Meshing = UniformMesher, Element Finite = ConstantStrainTriangle,
-          PlaneState Plane = PlaneStress, Support Held = InertiaRelief>
+template <Mesher Meshing = UniformMesher, Element ElementT = ConstantStrainTriangle,
+          PlaneState Plane = PlaneStress, Support SupportT = InertiaRelief>
 struct StressModel {
   Meshing mesher{};
-  Finite element{};
+  ElementT element{};
   Plane plane_state{};
-  Held support{};
+  SupportT support{};
 };
 template <class M, class E, class P, class S>
 StressModel(M, E, P, S) -> StressModel<M, E, P, S>;
@@ -123,20 +123,20 @@ struct Model {
   }
 
   /// How free bodies advance.
-  template <class Integration>
-  [[nodiscard]] auto integrator(Integration integration) const {
+  template <class IntegratorT>
+  [[nodiscard]] auto integrator(IntegratorT integrator) const {
     const auto& m = motion_model;
-    if constexpr (check_integrator<Integration>())
-      return with_motion(MotionModel{std::move(integration), m.damping, m.time_step, m.boundary});
+    if constexpr (check_integrator<IntegratorT>())
+      return with_motion(MotionModel{std::move(integrator), m.damping, m.time_step, m.boundary});
     else
       return *this;
   }
   /// What takes energy out beside the contacts.
-  template <class Damper>
-  [[nodiscard]] auto damping(Damper damper) const {
+  template <class DampingT>
+  [[nodiscard]] auto damping(DampingT damping) const {
     const auto& m = motion_model;
-    if constexpr (check_damping<Damper>())
-      return with_motion(MotionModel{m.integrator, std::move(damper), m.time_step, m.boundary});
+    if constexpr (check_damping<DampingT>())
+      return with_motion(MotionModel{m.integrator, std::move(damping), m.time_step, m.boundary});
     else
       return *this;
   }
@@ -150,11 +150,11 @@ struct Model {
       return *this;
   }
   /// What moves the driven bodies.
-  template <class Edge>
-  [[nodiscard]] auto boundary(Edge edge) const {
+  template <class BoundaryT>
+  [[nodiscard]] auto boundary(BoundaryT boundary) const {
     const auto& m = motion_model;
-    if constexpr (check_boundary<Edge>())
-      return with_motion(MotionModel{m.integrator, m.damping, m.time_step, std::move(edge)});
+    if constexpr (check_boundary<BoundaryT>())
+      return with_motion(MotionModel{m.integrator, m.damping, m.time_step, std::move(boundary)});
     else
       return *this;
   }
@@ -169,11 +169,11 @@ struct Model {
       return *this;
   }
   /// What a triangle is.
-  template <class Finite>
-  [[nodiscard]] auto element(Finite finite) const {
+  template <class ElementT>
+  [[nodiscard]] auto element(ElementT element) const {
     const auto& m = stress_model;
-    if constexpr (check_element<Finite>())
-      return with_stress(StressModel{m.mesher, std::move(finite), m.plane_state, m.support});
+    if constexpr (check_element<ElementT>())
+      return with_stress(StressModel{m.mesher, std::move(element), m.plane_state, m.support});
     else
       return *this;
   }
@@ -187,11 +187,11 @@ struct Model {
       return *this;
   }
   /// What takes the rigid modes away.
-  template <class Held>
-  [[nodiscard]] auto support(Held held) const {
+  template <class SupportT>
+  [[nodiscard]] auto support(SupportT support) const {
     const auto& m = stress_model;
-    if constexpr (check_support<Held>())
-      return with_stress(StressModel{m.mesher, m.element, m.plane_state, std::move(held)});
+    if constexpr (check_support<SupportT>())
+      return with_stress(StressModel{m.mesher, m.element, m.plane_state, std::move(support)});
     else
       return *this;
   }
@@ -246,7 +246,7 @@ struct Model {
     else
       return *this;
   }
-  /// Who does the work: one thread or several. Changes no result.
+  /// Execution: one thread or several. Changes no result.
   template <class Chosen>
   [[nodiscard]] auto execution(Chosen chosen) const {
     if constexpr (check_execution<Chosen>())
@@ -262,7 +262,7 @@ struct Model {
     return copy;
   }
 
-  /// Asks every policy that has rules of its own; throws InvalidInput.
+  /// Calls `validate()` of every policy that has one; throws InvalidInput.
   void validate() const {
     const auto all = [](const auto&... policies) { (riprap::validate(policies), ...); };
     all(contact_model.broad_phase, contact_model.narrow_phase, contact_model.law);

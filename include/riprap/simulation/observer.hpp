@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Observers: read-only guests of a step, called only for the hooks they have.
+/// Observers: read-only callbacks of a step, called only for the hooks they have.
 
 #include <type_traits>
 
-#include <riprap/core/step_part.hpp>
+#include <riprap/core/step_phase.hpp>
 #include <riprap/simulation/break_event.hpp>
 
 /// An observer is any object with some of the member functions named here; each is called with the
@@ -24,7 +24,7 @@ concept IsFunction = std::is_member_function_pointer_v<decltype(member)>;
 template <class O, bool is_function, bool takes_reference>
 concept HasNoSuchHook = !is_function && !takes_reference;
 
-/// Says in one sentence that an observer would be passed over in silence.
+/// Refuses an observer that would be ignored silently.
 template <class O, bool is_function, bool takes_reference>
 consteval void check_no_hook() {
   static_assert(HasNoSuchHook<O, is_function, takes_reference>,
@@ -36,8 +36,8 @@ consteval void check_no_hook() {
 /// assert that none is misspelt: `static_assert(hooks::StepHooks<CountSteps, Sim>::after_step)`.
 template <class O, class Sim>
 struct StepHooks {
-  static constexpr bool lap =
-      requires(O& o, StepPart& part) { o.lap(part); } || requires { requires IsFunction<&O::lap>; };
+  static constexpr bool on_phase_end = requires(O& o, StepPhase& part) { o.on_phase_end(part); } ||
+                                       requires { requires IsFunction<&O::on_phase_end>; };
   static constexpr bool before_forces = requires(O& o, Sim& sim) { o.before_forces(sim); } ||
                                         requires { requires IsFunction<&O::before_forces>; };
   static constexpr bool after_forces = requires(O& o, Sim& sim) { o.after_forces(sim); } ||
@@ -51,32 +51,34 @@ struct StepHooks {
                                        requires { requires IsFunction<&O::after_splits>; };
   static constexpr bool after_step = requires(O& o, Sim& sim) { o.after_step(sim); } ||
                                      requires { requires IsFunction<&O::after_step>; };
-  static constexpr bool any = lap || before_forces || after_forces || before_splits || on_break ||
-                              after_splits || after_step;
+  static constexpr bool any = on_phase_end || before_forces || after_forces || before_splits ||
+                              on_break || after_splits || after_step;
 };
 
 /// Refuses an observer that a step would never call: a hook may be misspelt.
 template <class O, class Sim>
 consteval void check_step_observer() {
-  static_assert(StepHooks<O, Sim>::any,
-                "riprap: an observer of a step must have one of the hooks lap, before_forces, "
-                "after_forces, before_splits, on_break, after_splits, after_step "
-                "(docs/policies/observer.md)");
+  static_assert(
+      StepHooks<O, Sim>::any,
+      "riprap: an observer of a step must have one of the hooks on_phase_end, before_forces, "
+      "after_forces, before_splits, on_break, after_splits, after_step "
+      "(docs/policies/observer.md)");
 }
 
 /// Whether an observer measures time.
 template <class O>
-inline constexpr bool has_lap = [] {
-  constexpr bool callable = requires(O& observer, const StepPart part) { observer.lap(part); };
+inline constexpr bool times_phases = [] {
+  constexpr bool callable =
+      requires(O& observer, const StepPhase part) { observer.on_phase_end(part); };
   if constexpr (!callable)
-    check_no_hook<O, requires { requires IsFunction<&O::lap>; },
-                  requires(O& observer, StepPart& other) { observer.lap(other); }>();
+    check_no_hook<O, requires { requires IsFunction<&O::on_phase_end>; },
+                  requires(O& observer, StepPhase& other) { observer.on_phase_end(other); }>();
   return callable;
 }();
 
 /// What has passed since the last call was `part` of the step.
-inline constexpr auto lap = []<class O>(O& observer, StepPart part) {
-  if constexpr (has_lap<O>) observer.lap(part);
+inline constexpr auto on_phase_end = []<class O>(O& observer, StepPhase part) {
+  if constexpr (times_phases<O>) observer.on_phase_end(part);
 };
 
 /// Bodies have moved, contacts are still those of the last step.

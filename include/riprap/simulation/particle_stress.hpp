@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Contact forces to element stresses, for every particle of a simulation.
+/// From contact forces to element stresses, for every particle of a simulation.
 
 #include <algorithm>
 #include <array>
@@ -12,43 +12,44 @@
 #include <utility>
 #include <vector>
 
-#include <riprap/breakage/failure_distance.hpp>
+#include <riprap/breakage/failure_screening.hpp>
 #include <riprap/contact/pair_index.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/core/execution/serial.hpp>
-#include <riprap/core/hash.hpp>
+#include <riprap/core/splitmix64.hpp>
 #include <riprap/material/rock.hpp>
 #include <riprap/particle/particles.hpp>
-#include <riprap/simulation/operator_store.hpp>
+#include <riprap/simulation/operator_cache.hpp>
 #include <riprap/stress/boundary_load.hpp>
 #include <riprap/stress/element_stress.hpp>
-#include <riprap/stress/load_reference.hpp>
-#include <riprap/stress/load_watch.hpp>
+#include <riprap/stress/incremental_bound.hpp>
+#include <riprap/stress/stress_change_bound.hpp>
 #include <riprap/stress/support/inertia_relief.hpp>
 
 namespace riprap {
 
-/// What one thread needs to find out whether a particle may break; kept for its memory.
+/// Workspace of one thread for the screening of a particle.
 struct StressWorkspace {
-  FailureForecast forecast;
-  std::vector<BoundaryLoad> settled{};
-  std::vector<OutlinePoint> places{};
-  CompactStress stress{};
+  FailureScreening screening;
+  std::vector<BoundaryLoad> balanced{};
+  std::vector<LocatedPoint> places{};
+  ElementStressF32 stress{};
 };
 
-/// Keeps the influence operators of all particles, the contact loads as of the last `gather`, and
-/// the loads under which each particle was last known not to break. Particles are watched contact
-/// by contact; only those who spend their budget are gathered and compared with those loads.
+/// The influence operators of all particles, the contact loads of the last `gather`, and for each
+/// particle a reference load with a bound on the change of stress under which it does not break.
+/// The bound is first checked incrementally, contact by contact; only particles beyond their budget
+/// are gathered and compared with their reference.
 template <class StressPart>
 class ParticleStress {
  public:
-  /// Whether stress is linear in the contact loads, as the bound on its change needs it. Other
-  /// supports choose anew which contacts they hold.
+  /// Whether stress is linear in the contact loads, so that superposition gives a bound on its
+  /// change. Other supports choose the pinned contacts anew under every load.
   static constexpr bool linear = std::same_as<decltype(StressPart::support), InertiaRelief>;
 
   ParticleStress(StressPart model, const Rock& rock) : operators_(std::move(model), rock) {}
 
-  /// Finds the contact forces on every particle.
+  /// Gathers the contact forces on every particle.
   template <class Contacts>
   void gather(const Particles& particles, const Contacts& contacts) {
     begin_gather(particles, contacts);
@@ -59,18 +60,18 @@ class ParticleStress {
                   });
   }
 
-  /// The same for some, in tasks of `for_each_task` that do not touch each other. `begin_gather`
-  /// comes first, then `begin_task` or `watch_task`.
+  /// The same for some particles, in independent tasks of `for_each_task`. `begin_gather` comes
+  /// first, then `begin_task` or `check_incremental_bounds`.
   template <class Contacts>
   void begin_gather(const Particles& particles, const Contacts& contacts) {
-    operators_.begin_turn(particles.size());
-    if (numbering_ != contacts.numbering() || watched_.size() != particles.size()) {
-      if constexpr (linear) renumber_prices(contacts);
-      numbering_ = contacts.numbering();
+    operators_.begin_epoch(particles.size());
+    if (revision_ != contacts.revision() || tracked_contacts_.size() != particles.size()) {
+      if constexpr (linear) move_sensitivities(contacts);
+      revision_ = contacts.revision();
       index_.build(contacts.pairs(), particles.size());
-      watched_.resize(particles.size(), LoadWatch::none);
+      tracked_contacts_.resize(particles.size(), IncrementalBound::untracked);
     }
-    references_.resize(particles.size());
+    bounds_.resize(particles.size());
     loads_.resize(particles.size());
     tasks_.resize(task_count(particles.size()));
   }
@@ -91,122 +92,122 @@ class ParticleStress {
     loads_[i].last = static_cast<std::uint32_t>(all.size());
   }
 
-  /// Goes through the contacts of a task, as they lie in memory, and calls `suspect(i)` for each of
-  /// its particles of which they do not show that it cannot break now. At 2 MPa 2 in 100 are left.
-  template <class Contacts, class Suspect>
-  void watch_task(const Particles& particles, const Contacts& contacts, std::size_t task,
-                  std::size_t first, std::size_t last, Suspect&& suspect)
+  /// Accumulates the incremental bounds of a task in the order of its contacts in memory, and calls
+  /// `candidate(i)` for each of its particles whose bound does not exclude that it breaks now.
+  template <class Contacts, class Candidate>
+  void check_incremental_bounds(const Particles& particles, const Contacts& contacts,
+                                std::size_t task, std::size_t first, std::size_t last,
+                                Candidate&& candidate)
     requires linear
   {
     begin_task(task);
-    std::array<LoadWatch, task_size> watches;
+    std::array<IncrementalBound, task_size> bounds;
     for (std::size_t i = first; i < last; ++i)
-      watches[i - first] =
-          LoadWatch(particles.body(static_cast<BodyIndex>(i)).rotation, watched_[i]);
-    // One of the two is the task's, and a is below b.
-    const LoadPrice* const prices = prices_.data();
+      bounds[i - first] = IncrementalBound(particles.body(static_cast<BodyIndex>(i)).rotation,
+                                           tracked_contacts_[i]);
+    // One of the two bodies is the task's, and a < b.
+    const LoadSensitivity* const sensitivities = sensitivities_.data();
     contacts.for_each_touching_of(task, [&](const auto& c, std::size_t k) {
       const Vec2 on_b = c.force_on_b();
-      if (c.a >= first) watches[c.a - first].meet(prices[2 * k], c.arm_a, on_b);
-      if (c.b < last) watches[c.b - first].meet(prices[2 * k + 1], c.arm_b, on_b);
+      if (c.a >= first) bounds[c.a - first].accumulate(sensitivities[2 * k], c.arm_a, on_b);
+      if (c.b < last) bounds[c.b - first].accumulate(sensitivities[2 * k + 1], c.arm_b, on_b);
     });
     for (std::size_t i = first; i < last; ++i)
-      if (!watches[i - first].holds()) suspect(static_cast<BodyIndex>(i));
+      if (!bounds[i - first].within_budget()) candidate(static_cast<BodyIndex>(i));
   }
 
   /// Contacts of particle i at the last `gather`.
   [[nodiscard]] std::size_t contact_count(BodyIndex i) const { return loads(i).size(); }
-  /// A number that stays the same as long as the contact partners of i do.
+  /// Hash of the contact partners of i: changes when they do.
   [[nodiscard]] std::uint64_t partners(const Particles& particles, BodyIndex i) const {
     std::uint64_t sum = 0;
-    for (const ContactLoad& load : loads(i))
-      sum += spread_bits(particles.ancestry(load.partner).id);
+    for (const ContactLoad& load : loads(i)) sum += splitmix64(particles.ancestry(load.partner).id);
     return sum;
   }
 
   /// Element stresses of particle i under `scale` times the gathered loads, in its own frame. The
-  /// reference is good until the next call.
+  /// reference is valid until the next call.
   const ElementStress& evaluate(const Particles& particles, BodyIndex i, double scale = 1) {
     const InfluenceOperator& op = influence(particles, i);
     const Rotation& rotation = particles.body(i).rotation;
-    settled_.clear();
+    balanced_.clear();
     for (const ContactLoad& load : loads(i)) {
       require_finite("sum of a contact's arm and force",
                      load.arm.x() + load.arm.y() + load.force.x() + load.force.y());
-      settled_.push_back({op.mesh().nearest_boundary_point(rotation.inverse_times(load.arm)),
-                          rotation.inverse_times(load.force), load.normal_force});
+      balanced_.push_back({op.mesh().nearest_boundary_point(rotation.inverse_times(load.arm)),
+                           rotation.inverse_times(load.force), load.normal_force});
     }
-    operators_.model().support.settle(std::span<BoundaryLoad>(settled_), op);
+    operators_.model().support.apply_reactions(std::span<BoundaryLoad>(balanced_), op);
     stress_.reset(op.mesh().size());
-    for (const BoundaryLoad& load : settled_) op.add_stress(load.at, scale * load.force, stress_);
+    for (const BoundaryLoad& load : balanced_) op.add_stress(load.at, scale * load.force, stress_);
     return stress_;
   }
 
-  /// Whether the loads of particle i are so near to those of its last `may_break` that it cannot
-  /// break now. If so, it is watched from here on.
-  [[nodiscard]] bool known_to_hold(const Particles& particles, BodyIndex i)
+  /// Whether the bound on the change of stress of particle i since its last `screen` excludes that
+  /// it breaks now. If so, its incremental bound starts from here.
+  [[nodiscard]] bool bound_excludes_failure(const Particles& particles, BodyIndex i)
     requires linear
   {
-    LoadReference::Prices prices;
-    const bool holds = references_[i].holds(loads(i), particles.body(i).rotation, prices);
+    StressChangeBound::Sensitivities sensitivities;
+    const bool holds = bounds_[i].within_limit(loads(i), particles.body(i).rotation, sensitivities);
     if (holds)
-      watch(i, prices);
+      track(i, sensitivities);
     else
-      watched_[i] = LoadWatch::none;
+      tracked_contacts_[i] = IncrementalBound::untracked;
     return holds;
   }
-  /// Particle i, which has no contacts, is watched for the first to come.
-  void watch_for_contacts(BodyIndex i)
+  /// Starts the incremental bound of particle i, which has no contacts.
+  void track_without_contacts(BodyIndex i)
     requires linear
   {
-    watch(i, {});
+    track(i, {});
   }
 
   /// Evaluates particle i in single precision. False: a trigger that needs `needed(elements)`
-  /// failed elements does not fire, nor under loads that are near enough; true: it may, and
-  /// `evaluate` decides. Threads may ask at once, each for other particles and with a workspace of
-  /// its own; `trim_operators` belongs between.
+  /// failed elements does not fire, nor under loads close to these; true: it may fire, and
+  /// `evaluate` decides. Threads may call it concurrently, each for other particles and with a
+  /// workspace of its own; `evict_operators` must not run meanwhile.
   template <class Needed>
-  [[nodiscard]] bool may_break(const Particles& particles, BodyIndex i, double scale,
-                               const Needed& needed, StressWorkspace& work)
+  [[nodiscard]] bool screen(const Particles& particles, BodyIndex i, double scale,
+                            const Needed& needed, StressWorkspace& work)
     requires linear
   {
-    const CompactOperator& op = operators_.compact(particles, i);
+    const InfluenceOperatorF32& op = operators_.single_precision(particles, i);
     const Rotation& rotation = particles.body(i).rotation;
-    work.settled.clear();
+    work.balanced.clear();
     work.places.clear();
     for (const ContactLoad& load : loads(i)) {
-      const OutlinePoint place = op.outline().nearest(rotation.inverse_times(load.arm));
-      work.settled.push_back({place.at, rotation.inverse_times(load.force), load.normal_force});
+      const LocatedPoint place = op.locator().nearest(rotation.inverse_times(load.arm));
+      work.balanced.push_back({place.at, rotation.inverse_times(load.force), load.normal_force});
       work.places.push_back(place);
     }
-    op.find_stress(work.settled, scale, work.stress);
+    op.find_stress(work.balanced, scale, work.stress);
     const std::size_t needed_now = needed(op.elements());
-    const FailureOutlook outlook = work.forecast(work.stress, needed_now);
-    const bool may = outlook.possible >= needed_now;
+    const ScreeningResult result = work.screening(work.stress, needed_now);
+    const bool may = result.possible >= needed_now;
     if (may)
-      references_[i].forget();
+      bounds_[i].clear();
     else
-      references_[i].renew(loads(i), work.settled, work.places, rotation, op,
-                           outlook.harmless_change / scale);
-    (void)known_to_hold(particles, i);
+      bounds_[i].reset(loads(i), work.balanced, work.places, rotation, op,
+                       result.stress_margin / scale);
+    (void)bound_excludes_failure(particles, i);
     return may;
   }
-  void trim_operators() { operators_.trim(); }
+  void evict_operators() { operators_.evict(); }
 
-  /// The operator of particle i, built now if it was not there; good until the next call.
+  /// The operator of particle i, built on first use; valid until the next call.
   const InfluenceOperator& influence(const Particles& particles, BodyIndex i) {
     return operators_.exact(particles, i);
   }
 
-  /// Another particle lives at i now.
+  /// Discards all data of particle i: another particle has this index now.
   void forget(BodyIndex i) {
     operators_.forget(i);
-    if (i < references_.size()) references_[i].forget();
-    if (i < watched_.size()) watched_[i] = LoadWatch::none;
+    if (i < bounds_.size()) bounds_[i].clear();
+    if (i < tracked_contacts_.size()) tracked_contacts_[i] = IncrementalBound::untracked;
   }
 
-  [[nodiscard]] OperatorStore<StressPart>& operators() { return operators_; }
+  [[nodiscard]] OperatorCache<StressPart>& operators() { return operators_; }
   /// Memory held by the operators [bytes].
   [[nodiscard]] std::size_t bytes() const { return operators_.bytes(); }
 
@@ -216,32 +217,33 @@ class ParticleStress {
     return {all + loads_[i].first, all + loads_[i].last};
   }
 
-  // Prices go with their pairs. They speak of places and forces on one particle, whoever is the
-  // other; if a pair is no more, the particle misses a contact.
+  // Weights move with their pairs. They refer to one particle of a pair, whatever the other is; a
+  // particle that lost a pair is found by its number of contacts.
   template <class Contacts>
-  void renumber_prices(const Contacts& contacts) {
-    if (numbering_ == contacts.numbering()) return;
-    const bool follows = numbering_ == contacts.earlier_numbering();
-    next_prices_.assign(2 * contacts.pairs().size(), {});
+  void move_sensitivities(const Contacts& contacts) {
+    if (revision_ == contacts.revision()) return;
+    const bool follows = revision_ == contacts.previous_revision();
+    next_sensitivities_.assign(2 * contacts.pairs().size(), {});
     for (std::size_t k = 0; follows && k < contacts.pairs().size(); ++k) {
-      const std::size_t earlier = contacts.earlier_place(k);
-      if (earlier == Contacts::new_pair) continue;
-      next_prices_[2 * k] = prices_[2 * earlier];
-      next_prices_[2 * k + 1] = prices_[2 * earlier + 1];
+      const std::size_t earlier = contacts.previous_index(k);
+      if (earlier == Contacts::not_present) continue;
+      next_sensitivities_[2 * k] = sensitivities_[2 * earlier];
+      next_sensitivities_[2 * k + 1] = sensitivities_[2 * earlier + 1];
     }
-    std::swap(prices_, next_prices_);
-    if (!follows) std::fill(watched_.begin(), watched_.end(), LoadWatch::none);
+    std::swap(sensitivities_, next_sensitivities_);
+    if (!follows)
+      std::fill(tracked_contacts_.begin(), tracked_contacts_.end(), IncrementalBound::untracked);
   }
 
-  // A price for each load of particle i, and none for its pairs that do not touch.
-  void watch(BodyIndex i, std::span<const LoadPrice> prices) {
+  // Weights for each load of particle i, NaN for its pairs that do not touch.
+  void track(BodyIndex i, std::span<const LoadSensitivity> sensitivities) {
     const std::span<const ContactLoad> own = loads(i);
-    for (const std::uint32_t side : index_.of(i)) prices_[side] = {};
+    for (const std::uint32_t side : index_.of(i)) sensitivities_[side] = {};
     for (std::size_t c = 0; c < own.size(); ++c) {
       const std::uint32_t side = own[c].side;
-      prices_[side] = side % 2 == 0 ? prices[c].opposite() : prices[c];
+      sensitivities_[side] = side % 2 == 0 ? sensitivities[c].opposite() : sensitivities[c];
     }
-    watched_[i] = static_cast<std::uint32_t>(own.size());
+    tracked_contacts_[i] = static_cast<std::uint32_t>(own.size());
   }
 
   struct Range {
@@ -249,18 +251,19 @@ class ParticleStress {
     std::uint32_t last = 0;
   };
 
-  OperatorStore<StressPart> operators_;
-  std::vector<LoadReference> references_;
-  // Of the pairs as they are numbered.
+  OperatorCache<StressPart> operators_;
+  std::vector<StressChangeBound> bounds_;
+  // For the pairs of the present revision.
   PairIndex index_;
-  std::uint64_t numbering_ = 0;
-  std::vector<LoadPrice> prices_;       // side by side; on side a for the force on b
-  std::vector<LoadPrice> next_prices_;  // when they are numbered anew
-  std::vector<std::uint32_t> watched_;  // how many contacts of each particle have a price
-  // Loads task by task, in laboratory axes: turning is left to those who need it.
+  std::uint64_t revision_ = 0;
+  std::vector<LoadSensitivity> sensitivities_;       // of each side; on side a for the force on b
+  std::vector<LoadSensitivity> next_sensitivities_;  // of the next revision
+  std::vector<std::uint32_t>
+      tracked_contacts_;  // number of contacts with weights, of each particle
+  // Loads of each task, in the laboratory frame.
   std::vector<std::vector<ContactLoad>> tasks_;
-  std::vector<Range> loads_;  // of each particle, among those of its task
-  std::vector<BoundaryLoad> settled_;
+  std::vector<Range> loads_;  // of each particle, within its task
+  std::vector<BoundaryLoad> balanced_;
   ElementStress stress_;
 };
 

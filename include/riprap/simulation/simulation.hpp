@@ -18,7 +18,7 @@
 #include <riprap/particle/particles.hpp>
 #include <riprap/simulation/body_step.hpp>
 #include <riprap/simulation/break_event.hpp>
-#include <riprap/simulation/crack_search.hpp>
+#include <riprap/simulation/breakage_pass.hpp>
 #include <riprap/simulation/model.hpp>
 #include <riprap/simulation/observer.hpp>
 #include <riprap/simulation/particle_stress.hpp>
@@ -28,18 +28,18 @@ namespace riprap {
 
 namespace internal {
 
-/// The plane that a boundary makes of the world: periodic if it says so.
+/// The domain of a boundary: periodic if it has a `domain()`.
 template <class B>
 struct PlaneOfBoundary {
-  using type = OpenPlane;
+  using type = UnboundedDomain;
 };
 template <class B>
-  requires requires(B& boundary) { boundary.plane(); }
+  requires requires(B& boundary) { boundary.domain(); }
 struct PlaneOfBoundary<B> {
-  using type = PeriodicPlane;
+  using type = PeriodicDomain;
 };
 template <class B>
-using PlaneOf = typename PlaneOfBoundary<B>::type;
+using DomainOf = typename PlaneOfBoundary<B>::type;
 
 }  // namespace internal
 
@@ -52,10 +52,10 @@ using PlaneOf = typename PlaneOfBoundary<B>::type;
 template <class ModelType>
 class Simulation {
  public:
-  using Plane = internal::PlaneOf<decltype(ModelType::motion_model.boundary)>;
+  using Domain = internal::DomainOf<decltype(ModelType::motion_model.boundary)>;
   using Contacts = ContactList<decltype(ModelType::contact_model.broad_phase),
                                decltype(ModelType::contact_model.narrow_phase),
-                               decltype(ModelType::contact_model.law), Plane>;
+                               decltype(ModelType::contact_model.law), Domain>;
   static constexpr bool breakable = !decltype(ModelType::breakage_model)::never_fails;
 
   /// Throws InvalidInput if the model, the assembly or the rock breaks a rule.
@@ -72,7 +72,7 @@ class Simulation {
       Body& body = particles_.body(i);
       body.velocity = placed.velocity;
       body.angular_velocity = placed.angular_velocity;
-      // Platens and fixed bodies are tools, not grains.
+      // Platens and fixed bodies are not grains.
       if (body.motion == Motion::platen || body.motion == Motion::prescribed) continue;
       intact_area += particles_.shape(i).area;
       ++intact;
@@ -81,7 +81,7 @@ class Simulation {
     choose_time_step();
     if constexpr (requires { boundary().enclose(assembly, particles_); })
       boundary().enclose(assembly, particles_);
-    if constexpr (Plane::periodic) contacts_.set_plane(boundary().plane());
+    if constexpr (Domain::periodic) contacts_.set_domain(boundary().domain());
     contacts_.update(particles_, 0, model_.execution_policy);
     try {
       contacts_.check_overlaps(particles_);
@@ -100,28 +100,28 @@ class Simulation {
   template <class... Observers>
   void step(Observers&&... observers) {
     (hooks::check_step_observer<std::remove_cvref_t<Observers>, Simulation>(), ...);
-    const auto lap = laps(observers...);
-    lap(StepPart::elsewhere);
+    const auto on_phase_end = phase_timer(observers...);
+    on_phase_end(StepPhase::other);
     boundary().drive(particles_.bodies(), time_step_);
-    if constexpr (Plane::periodic) contacts_.set_plane(boundary().plane());
+    if constexpr (Domain::periodic) contacts_.set_domain(boundary().domain());
     advance_bodies();
-    lap(StepPart::integration);
+    on_phase_end(StepPhase::integration);
     (hooks::before_forces(observers, *this), ...);
-    if constexpr (Plane::periodic) {
+    if constexpr (Domain::periodic) {
       boundary().drift(time_step_);
-      contacts_.set_plane(boundary().plane());
+      contacts_.set_domain(boundary().domain());
     }
-    lap(StepPart::elsewhere);
-    contacts_.update(particles_, time_step_, model_.execution_policy, lap);
+    on_phase_end(StepPhase::other);
+    contacts_.update(particles_, time_step_, model_.execution_policy, on_phase_end);
     contacts_.check_overlaps(particles_);
     (hooks::after_forces(observers, *this), ...);
-    lap(StepPart::elsewhere);
-    finish_bodies();
-    lap(StepPart::integration);
+    on_phase_end(StepPhase::other);
+    kick_bodies_again();
+    on_phase_end(StepPhase::integration);
     ++steps_;
     if constexpr (breakable)
       if (breakage_active_ && steps_ % model_.breakage_model.check_every == 0)
-        break_particles(lap, observers...);
+        break_particles(on_phase_end, observers...);
     (hooks::after_step(observers, *this), ...);
   }
 
@@ -174,13 +174,13 @@ class Simulation {
     body_force_ = acceleration;
   }
   [[nodiscard]] const Vec2& body_force() const { return body_force_; }
-  /// Replaces the time step [s] that the rule chose; stability is the caller's affair.
+  /// Replaces the time step [s] that the rule chose; stability is the caller's responsibility.
   void set_time_step(double seconds) {
     require_positive("time step", seconds);
     time_step_ = seconds;
   }
 
-  /// Memory for influence operators [bytes]: results do not depend on it. See OperatorStore.
+  /// Memory for influence operators [bytes]: results do not depend on it. See OperatorCache.
   void set_operator_budget(std::size_t bytes) { stress_.operators().set_budget(bytes); }
 
   /// Evaluates particle i now: its element stresses, in its own frame.
@@ -201,7 +201,7 @@ class Simulation {
       stress_.gather(particles_, contacts_);
       for (BodyIndex i = 0; i < particles_.size(); ++i)
         if (particles_.body(i).is_free())
-          ratios[i] = tally_failures(model_.breakage_model.criterion,
+          ratios[i] = count_failures(model_.breakage_model.criterion,
                                      stress_.evaluate(
                                          particles_, i,
                                          load_scale(model_.breakage_model.trigger, particles_, i)))
@@ -221,22 +221,22 @@ class Simulation {
     assembly.validate();
     rock.validate();
     if (assembly.particles.empty()) throw InvalidInput("Assembly.particles is empty");
-    if (!Plane::periodic && assembly.period != Vec2{0, 0})
+    if (!Domain::periodic && assembly.period != Vec2{0, 0})
       throw InvalidInput("Assembly.period is set: give the model a PeriodicCell as its boundary");
     return model;
   }
 
-  // Tells observers with a stop-watch; nobody, if there are none.
+  // Notifies observers that measure time; does nothing if there are none.
   template <class... Observers>
-  [[nodiscard]] static auto laps(Observers&... observers) {
-    if constexpr ((hooks::has_lap<Observers> || ...))
-      return [&](StepPart part) { (hooks::lap(observers, part), ...); };
+  [[nodiscard]] static auto phase_timer(Observers&... observers) {
+    if constexpr ((hooks::times_phases<Observers> || ...))
+      return [&](StepPhase part) { (hooks::on_phase_end(observers, part), ...); };
     else
-      return NoLaps{};
+      return NoPhaseTimer{};
   }
 
   [[nodiscard]] auto body_step() {
-    return BodyStep(model_.motion_model, contacts_.plane(), body_force_, time_step_);
+    return BodyStep(model_.motion_model, contacts_.domain(), body_force_, time_step_);
   }
 
   // Forces of the present poses move the bodies to the next ones.
@@ -245,19 +245,19 @@ class Simulation {
     work_.boundary += step.first_kick_time() * contacts_.image_power();
     step_bodies([&](std::size_t task, BodyIndex first, BodyIndex last) {
       const BodyWork work = step.advance(particles_, first, last);
-      contacts_.follow(particles_, task, first, last);
+      contacts_.record_motion(particles_, task, first, last);
       return work;
     });
     time_ += time_step_;
   }
 
   // The second kick, for integrators that have one.
-  void finish_bodies() {
-    if constexpr (decltype(body_step())::needs_finish) {
+  void kick_bodies_again() {
+    if constexpr (decltype(body_step())::has_second_kick) {
       const auto step = body_step();
       work_.boundary += step.second_kick_time() * contacts_.image_power();
       step_bodies([&](std::size_t, BodyIndex first, BodyIndex last) {
-        return step.finish(particles_, first, last);
+        return step.second_kick(particles_, first, last);
       });
     }
   }
@@ -276,24 +276,24 @@ class Simulation {
 
   // All cracks are found before the first particle splits, for splitting changes the contacts that
   // loaded the others.
-  template <class Lap, class... Observers>
-  void break_particles(Lap&& lap, Observers&... observers) {
-    const CrackSearch::Cracks& cracks =
-        crack_search_.find(model_.breakage_model, particles_, contacts_, stress_, mean_area_,
-                           model_.execution_policy, lap);
+  template <class OnPhaseEnd, class... Observers>
+  void break_particles(OnPhaseEnd&& on_phase_end, Observers&... observers) {
+    const BreakagePass::Cracks& cracks =
+        breakage_pass_.find(model_.breakage_model, particles_, contacts_, stress_, mean_area_,
+                            model_.execution_policy, on_phase_end);
     if (cracks.empty()) return;
     for (const auto& [i, crack] : cracks)
       piece_limit_.add_break(model_.breakage_model.splitter, particles_.ancestry(i));
     const std::size_t first = breaks_.size();
     (hooks::before_splits(observers, *this), ...);
     for (const auto& [i, crack] : cracks) split(i, crack);
-    // Pieces meet their neighbours anew at the same poses. All other forces come out as they were,
-    // but those of dashpots after a second kick, which has changed the velocities.
+    // Contacts of the pieces at the same poses. All other forces stay the same, except those of
+    // dashpots after a second kick, which has changed the velocities.
     contacts_.update(particles_, 0, model_.execution_policy);
     (hooks::after_splits(observers, *this), ...);
     for (std::size_t k = first; k < breaks_.size(); ++k)
       (hooks::on_break(observers, *this, breaks_[k]), ...);
-    lap(StepPart::splitting);
+    on_phase_end(StepPhase::splitting);
   }
 
   // The left piece takes the parent's place, the right one is new.
@@ -315,7 +315,7 @@ class Simulation {
     breaks_.push_back({.step = steps_,
                        .time = time_,
                        .particle = ancestry,
-                       .tally = crack.tally,
+                       .failures = crack.failures,
                        .mode = crack.mode,
                        .line = crack.line,
                        .pieces = {particles_.ancestry(i).id, particles_.ancestry(second).id},
@@ -342,7 +342,7 @@ class Simulation {
   Rock rock_;
   Particles particles_;
   Contacts contacts_;
-  // Operators are built when first asked for, also by a const question.
+  // Operators are built on first use, also from const functions.
   mutable ParticleStress<decltype(ModelType::stress_model)> stress_;
   double smallest_mass_ = 0;
   double mean_area_ = 0;
@@ -353,7 +353,7 @@ class Simulation {
   bool breakage_active_ = true;
   BodyWork work_;
   std::vector<BodyWork> task_work_;
-  CrackSearch crack_search_;
+  BreakagePass breakage_pass_;
   PieceLimit piece_limit_;
   std::vector<BreakEvent> breaks_;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Element stresses the long way: the whole particle assembled and solved. Not part of riprap.hpp:
-/// an independent check on the influence operator, and the baseline that its speed is measured
-/// against.
+/// Element stresses by a direct solver: the whole particle assembled and solved. Not part of
+/// riprap.hpp: an independent check on the influence operator, and the baseline that its speed is
+/// measured against.
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

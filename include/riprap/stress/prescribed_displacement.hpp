@@ -2,7 +2,7 @@
 #pragma once
 /// @file
 /// Element stresses of a body whose displacements are prescribed at some nodes. Not part of
-/// riprap.hpp: sparse solvers take long to compile, and no step of a simulation asks for this.
+/// riprap.hpp: sparse solvers take long to compile, and no step of a simulation needs them.
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

@@ -8,8 +8,8 @@
 #include <riprap/breakage/criterion/criterion_choice.hpp>
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
 #include <riprap/breakage/element_failure.hpp>
+#include <riprap/conformance/criterion.hpp>
 #include <riprap/core/units.hpp>
-#include <riprap/laws/criterion.hpp>
 #include <support/archetypes.hpp>
 #include <support/near.hpp>
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include <riprap/breakage/criterion/griffith.hpp>
+#include <riprap/conformance/criterion.hpp>
 #include <riprap/core/units.hpp>
-#include <riprap/laws/criterion.hpp>
 #include <support/message_of.hpp>
 #include <support/near.hpp>
 

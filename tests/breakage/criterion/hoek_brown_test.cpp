@@ -7,8 +7,8 @@
 #include <numbers>
 #include <string>
 
+#include <riprap/conformance/criterion.hpp>
 #include <riprap/core/units.hpp>
-#include <riprap/laws/criterion.hpp>
 #include <support/message_of.hpp>
 #include <support/near.hpp>
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include <riprap/breakage/criterion/hoek_brown.hpp>
+#include <riprap/conformance/criterion.hpp>
 #include <riprap/core/units.hpp>
-#include <riprap/laws/criterion.hpp>
 #include <support/message_of.hpp>
 #include <support/near.hpp>
 

@@ -3,8 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <riprap/conformance/criterion.hpp>
 #include <riprap/core/units.hpp>
-#include <riprap/laws/criterion.hpp>
 #include <support/message_of.hpp>
 #include <support/near.hpp>
 

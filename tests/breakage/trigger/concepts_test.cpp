@@ -15,13 +15,13 @@ struct NotCallable : archetype::BreakageTrigger {
   void operator()() const {}
 };
 struct NotConst : archetype::BreakageTrigger {
-  bool operator()(const FailureTally&) { return true; }
+  bool operator()(const FailureCount&) { return true; }
 };
 struct DecidesNothing : archetype::BreakageTrigger {
-  void operator()(const FailureTally&) const {}
+  void operator()(const FailureCount&) const {}
 };
 struct ChangesTheTally : archetype::BreakageTrigger {
-  bool operator()(FailureTally&) const { return true; }
+  bool operator()(FailureCount&) const { return true; }
 };
 struct StrengthIsNotConst : archetype::BreakageTrigger {
   double strength_factor(ParticleId, double) { return 1; }
@@ -61,9 +61,9 @@ static_assert(!BreakageTrigger<NeededChangesTheElements>);
 }  // namespace
 
 TEST_CASE("a lambda is a trigger, and so is a function") {
-  const auto five = [](const FailureTally& tally) { return tally.failed >= 5; };
+  const auto five = [](const FailureCount& failures) { return failures.failed >= 5; };
   CHECK(BreakageTrigger<decltype(five)>);
-  CHECK(BreakageTrigger<bool (*)(const FailureTally&)>);
+  CHECK(BreakageTrigger<bool (*)(const FailureCount&)>);
 }
 
 // All ratios of whole numbers up to 130, and numbers just beside them.
@@ -75,7 +75,7 @@ TEST_CASE("the fewest elements for a ratio are those at which the comparison tur
                                 static_cast<double>(std::max<std::size_t>(elements, 1));
         const std::size_t needed = failed_elements_for_ratio(elements, critical);
         const auto reached = [&](std::size_t failed) {
-          return FailureTally{.elements = elements, .failed = failed}.ratio() >= critical;
+          return FailureCount{.elements = elements, .failed = failed}.ratio() >= critical;
         };
         if (needed <= elements) CHECK(reached(needed));
         if (needed > 0) CHECK_FALSE(reached(needed - 1));

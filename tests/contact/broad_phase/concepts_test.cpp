@@ -56,8 +56,8 @@ static_assert(!BroadPhase<ChangesTheSpan>);
 TEST_CASE("boxes meet if they share a point, whichever is asked") {
   const Box unit{{0, 0}, {1, 1}};
   const auto both_ways = [&unit](const Box& other) {
-    CHECK(unit.meets(other) == other.meets(unit));
-    return unit.meets(other);
+    CHECK(unit.overlaps(other) == other.overlaps(unit));
+    return unit.overlaps(other);
   };
   CHECK(both_ways(unit));
   CHECK(both_ways({{0.2, 0.2}, {0.3, 0.3}}));  // inside

@@ -25,7 +25,7 @@ Pairs brute_force(const std::vector<Box>& boxes) {
   Pairs pairs;
   for (BodyIndex i = 0; i < boxes.size(); ++i)
     for (BodyIndex j = i + 1; j < boxes.size(); ++j)
-      if (boxes[i].meets(boxes[j])) pairs.emplace_back(i, j);
+      if (boxes[i].overlaps(boxes[j])) pairs.emplace_back(i, j);
   return pairs;
 }
 

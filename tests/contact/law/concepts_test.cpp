@@ -80,8 +80,8 @@ TEST_CASE("a contact force starts from zero, and so does a contact motion") {
   constexpr ContactForce force;
   CHECK(force.normal == 0);
   CHECK(force.tangential == 0);
-  CHECK(force.slipped == 0);
-  CHECK(force.damped == 0);
+  CHECK(force.friction_loss == 0);
+  CHECK(force.viscous_loss == 0);
   constexpr ContactMotion motion;
   CHECK(motion.time_step == 0);
   CHECK(motion.tangential_velocity == 0);

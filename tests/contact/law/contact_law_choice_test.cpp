@@ -32,8 +32,8 @@ void check_same(const Law& law) {
     const ContactForce direct = law(geometry, sliding, own);
     CHECK(chosen.normal == direct.normal);
     CHECK(chosen.tangential == direct.tangential);
-    CHECK(chosen.slipped == direct.slipped);
-    CHECK(chosen.damped == direct.damped);
+    CHECK(chosen.friction_loss == direct.friction_loss);
+    CHECK(chosen.viscous_loss == direct.viscous_loss);
     CHECK(choice.stored_energy(geometry, history) == law.stored_energy(geometry, own));
   }
   CHECK(choice.peak_stiffness() == law.peak_stiffness());

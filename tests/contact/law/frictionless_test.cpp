@@ -34,7 +34,7 @@ void check_force(Law law) {
   const ContactForce smooth = frictionless(law)(geometry, motion, other);
   CHECK(smooth.normal == rough.normal);
   CHECK(smooth.tangential == 0);
-  CHECK(smooth.slipped == 0);
+  CHECK(smooth.friction_loss == 0);
   CHECK(rough.tangential != 0);
   CHECK(law.friction == 0.7);
 }

@@ -29,8 +29,8 @@ ContactGeometry pressed(double penetration) {
 /// What a contact has done on its way.
 struct Outcome {
   ContactForce last;
-  double slipped = 0;  ///< [J]
-  double work = 0;     ///< of the tangential force against the motion, trapezoid sum [J]
+  double friction_loss = 0;  ///< [J]
+  double work = 0;           ///< of the tangential force against the motion, trapezoid sum [J]
 };
 
 /// Shears a contact of constant depth by `way` [m] in equal steps.
@@ -42,7 +42,7 @@ Outcome shear(const LinearSpringCoulomb& spring, double penetration, double way,
   for (int i = 0; i < steps; ++i) {
     const double before = history.tangential_force;
     outcome.last = spring(pressed(penetration), motion, history);
-    outcome.slipped += outcome.last.slipped;
+    outcome.friction_loss += outcome.last.friction_loss;
     outcome.work -= 0.5 * (before + outcome.last.tangential) * way / steps;
   }
   return outcome;
@@ -77,7 +77,7 @@ TEST_CASE("zero depth gives zero force, however fast the bodies slide") {
       law(pressed(0), {.tangential_velocity = 3, .time_step = time_step}, history);
   CHECK(force.normal == 0);
   CHECK(force.tangential == 0);
-  CHECK(force.slipped == 0);
+  CHECK(force.friction_loss == 0);
   CHECK(law.stored_energy(pressed(0), history) == 0);
 }
 
@@ -87,10 +87,10 @@ TEST_CASE("the tangential spring loads and unloads along its stiffness while it 
   const Outcome there = shear(law, depth, way, 100, history);
   // Body b moves along the tangent, so the force on it points backwards.
   CHECK(there.last.tangential == near_relative(-1.2e7 * way, round_off));
-  CHECK(there.slipped == 0);
+  CHECK(there.friction_loss == 0);
   const Outcome back = shear(law, depth, -way, 100, history);
   CHECK(std::abs(back.last.tangential) <= round_off * cap);
-  CHECK(back.slipped == 0);
+  CHECK(back.friction_loss == 0);
 }
 
 TEST_CASE("what a sticking contact takes up it stores") {
@@ -120,26 +120,26 @@ TEST_CASE("steady sliding dissipates the friction force times the way slipped") 
   shear(law, depth, 2 * slip_way, 100, history);
   const double way = 30 * slip_way;
   const Outcome steady = shear(law, depth, way, 1000, history);
-  CHECK(steady.slipped == near_relative(cap * way, round_off));
-  CHECK(steady.work == near_relative(steady.slipped, round_off));
+  CHECK(steady.friction_loss == near_relative(cap * way, round_off));
+  CHECK(steady.work == near_relative(steady.friction_loss, round_off));
 }
 
 TEST_CASE("stored plus slipped energy is the work done, through stick, slip and reversal") {
   LinearSpringCoulomb::History history;
   double work = 0;
-  double slipped = 0;
+  double friction_loss = 0;
   const double start = law.stored_energy(pressed(depth), history);
   // No step is longer than the way from one friction limit to the other.
   for (const double way : {0.3, 2.1, -1.7, -3.3, 0.4}) {
     const Outcome part = shear(law, depth, way * slip_way, 37, history);
     work += part.work;
-    slipped += part.slipped;
+    friction_loss += part.friction_loss;
   }
   const double stored = law.stored_energy(pressed(depth), history) - start;
   // In the one step of each leg in which slip sets in, the law books the slipped part of the way
   // against the mean force, and so does the trapezoid rule: the balance is exact.
-  CHECK(work == near_relative(stored + slipped, round_off));
-  CHECK(slipped > 0);
+  CHECK(work == near_relative(stored + friction_loss, round_off));
+  CHECK(friction_loss > 0);
 }
 
 TEST_CASE("slip in a closed cycle is the area of the hysteresis loop") {
@@ -150,7 +150,7 @@ TEST_CASE("slip in a closed cycle is the area of the hysteresis loop") {
   const Outcome back = shear(law, depth, 2 * amplitude, 600, history);
   // A parallelogram of height 2 mu N and width 2 (amplitude - slip_way).
   const double loop = 4 * cap * (amplitude - slip_way);
-  CHECK(forth.slipped + back.slipped == near_relative(loop, round_off));
+  CHECK(forth.friction_loss + back.friction_loss == near_relative(loop, round_off));
 }
 
 TEST_CASE("a tangential spring cut by a falling normal force loses just what it had stored") {
@@ -161,10 +161,10 @@ TEST_CASE("a tangential spring cut by a falling normal force loses just what it 
   const ContactForce cut = law(pressed(0.3 * depth), {.time_step = time_step}, history);
   CHECK(cut.tangential == near_relative(-0.3 * cap, 1e-14));
   const double stored_after = std::pow(cut.tangential, 2) / (2 * 1.2e7);
-  CHECK(cut.slipped == near_relative(stored_before - stored_after, round_off));
+  CHECK(cut.friction_loss == near_relative(stored_before - stored_after, round_off));
   // When the contact opens everything is lost.
   const ContactForce open = law(pressed(0), {.time_step = time_step}, history);
-  CHECK(open.slipped == near_relative(stored_after, round_off));
+  CHECK(open.friction_loss == near_relative(stored_after, round_off));
   CHECK(history.tangential_force == 0);
 }
 
@@ -178,8 +178,8 @@ TEST_CASE("evaluating the law again with a time step of zero repeats the force a
           law(pressed(depth), {.normal_velocity = -2, .tangential_velocity = 7}, history);
       CHECK(repeated.normal == first.normal);
       CHECK(repeated.tangential == first.tangential);
-      CHECK(repeated.slipped == 0);
-      CHECK(repeated.damped == 0);
+      CHECK(repeated.friction_loss == 0);
+      CHECK(repeated.viscous_loss == 0);
     }
   }
 }
@@ -200,7 +200,7 @@ TEST_CASE("without friction there is neither tangential force nor slip energy") 
   LinearSpringCoulomb::History history;
   const Outcome outcome = shear(smooth, depth, 3 * slip_way, 10, history);
   CHECK(outcome.last.tangential == 0);
-  CHECK(outcome.slipped == 0);
+  CHECK(outcome.friction_loss == 0);
 }
 
 TEST_CASE("without a tangential spring there is no tangential force and no division by zero") {
@@ -209,7 +209,7 @@ TEST_CASE("without a tangential spring there is no tangential force and no divis
   LinearSpringCoulomb::History history;
   const Outcome outcome = shear(loose, depth, slip_way, 10, history);
   CHECK(outcome.last.tangential == 0);
-  CHECK(outcome.slipped == 0);
+  CHECK(outcome.friction_loss == 0);
   CHECK(loose.stored_energy(pressed(depth), history) ==
         near_relative(0.5 * 2e7 * depth * depth, 1e-15));
 }
@@ -224,7 +224,7 @@ TEST_CASE("the linear law keeps its meaning in other units") {
   const Outcome b = shear(in_mm, 1e3 * depth, 1.7e3 * slip_way, 10, mm);
   CHECK(b.last.normal == near_relative(a.last.normal, 1e-14));
   CHECK(b.last.tangential == near_relative(a.last.tangential, 1e-14));
-  CHECK(b.slipped == near_relative(1e3 * a.slipped, round_off));
+  CHECK(b.friction_loss == near_relative(1e3 * a.friction_loss, round_off));
 }
 
 TEST_CASE("the stiffer of the two springs sets the time step") {

@@ -15,8 +15,8 @@ TEST_CASE("bodies without contact forces pass through each other and store nothi
       law(geometry, {.normal_velocity = -5, .tangential_velocity = 3, .time_step = 1}, history);
   CHECK(force.normal == 0);
   CHECK(force.tangential == 0);
-  CHECK(force.slipped == 0);
-  CHECK(force.damped == 0);
+  CHECK(force.friction_loss == 0);
+  CHECK(force.viscous_loss == 0);
   CHECK(law.stored_energy(geometry, history) == 0);
   CHECK(law.peak_stiffness() > 0);  // a time step needs one
 }

@@ -42,8 +42,8 @@ Loop lead_round(const Law& law, int steps) {
     const double middle = (i + 0.5) * step;
     const ConvexPolygon placed =
         corner.moved(Rotation::from_angle(angle(middle)), position(middle));
-    OverlapChord::Memory memory;
-    const auto contact = OverlapChord{}(floor.ring(), placed.ring(), memory);
+    OverlapChord::Cache cache;
+    const auto contact = OverlapChord{}(floor.ring(), placed.ring(), cache);
     REQUIRE(contact);
     typename Law::History history;
     const double force = law(*contact, {}, history).normal;
@@ -100,8 +100,8 @@ namespace {
 double slope_at(const ConvexPolygon& body, double depth) {
   const ConvexPolygon floor = rectangle({0, -2}, 4, 4);
   const auto force = [&](double d) {
-    OverlapChord::Memory memory;
-    const auto contact = OverlapChord{}(floor.ring(), body.moved({}, {0, -d}).ring(), memory);
+    OverlapChord::Cache cache;
+    const auto contact = OverlapChord{}(floor.ring(), body.moved({}, {0, -d}).ring(), cache);
     REQUIRE(contact);
     REQUIRE(contact->chord <= smooth.largest_chord);
     OverlapAreaSpring::History history;

@@ -21,7 +21,7 @@ constexpr double tolerance = 1e-4;
 /// What is left of a head-on collision with 1 m/s.
 struct Collision {
   double restitution = 0;
-  double damped = 0;        ///< energy [J]
+  double viscous_loss = 0;  ///< energy [J]
   double lowest_force = 0;  ///< [N]
 };
 
@@ -39,7 +39,7 @@ Collision collide(double damping_ratio, bool may_pull) {
     geometry.depth = depth;
     const ContactForce force = law(
         geometry, {.normal_velocity = velocity, .time_step = dt, .effective_mass = mass}, history);
-    result.damped += force.damped;
+    result.viscous_loss += force.viscous_loss;
     result.lowest_force = std::min(result.lowest_force, force.normal);
     velocity += dt * force.normal / mass;
     depth -= dt * velocity;
@@ -59,7 +59,7 @@ TEST_CASE("a dashpot that may pull restores exp(-pi zeta / sqrt(1 - zeta^2)) of 
     CHECK(collision.restitution == near_relative(restitution, tolerance));
     CHECK(collision.lowest_force < 0);
     const double lost = 0.5 * mass * (1 - restitution * restitution);
-    CHECK(collision.damped == near_relative(lost, tolerance));
+    CHECK(collision.viscous_loss == near_relative(lost, tolerance));
   }
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("a dashpot that never pulls restores more, as Schwager and Poeschel ha
     CHECK(collision.lowest_force == 0);
     // What the spring still holds when the bodies part is booked as lost, too.
     const double lost = 0.5 * mass * (1 - restitution * restitution);
-    CHECK(collision.damped == near_relative(lost, tolerance));
+    CHECK(collision.viscous_loss == near_relative(lost, tolerance));
   }
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("without damping the dashpot law is the linear spring") {
   const Collision collision = collide(0, false);
   // Second order in omega dt = 1e-5.
   CHECK(collision.restitution == near_relative(1, 1e-9));
-  CHECK(collision.damped == 0);
+  CHECK(collision.viscous_loss == 0);
 }
 
 TEST_CASE("friction is cut at what the whole normal force allows, dashpot included") {
@@ -101,7 +101,7 @@ TEST_CASE("friction is cut at what the whole normal force allows, dashpot includ
     const double expected = stiffness * 1e-4 - viscosity * normal_velocity;
     CHECK(force.normal == near_relative(expected, 1e-14));
     CHECK(force.tangential == near_relative(-0.5 * std::max(expected, 0.0), 1e-14));
-    CHECK(force.damped >= 0);
+    CHECK(force.viscous_loss >= 0);
   }
 }
 
@@ -115,13 +115,13 @@ TEST_CASE("a dashpot evaluated again without time gives the same force and loses
                        .time_step = 1e-5,
                        .effective_mass = mass};
   const ContactForce first = law(geometry, motion, history);
-  CHECK(first.damped > 0);
+  CHECK(first.viscous_loss > 0);
   motion.time_step = 0;
   const ContactForce again = law(geometry, motion, history);
   CHECK(again.normal == first.normal);
   CHECK(again.tangential == first.tangential);
-  CHECK(again.damped == 0);
-  CHECK(again.slipped == 0);
+  CHECK(again.viscous_loss == 0);
+  CHECK(again.friction_loss == 0);
 }
 
 TEST_CASE("a damping ratio outside [0, 1) is refused by name") {

@@ -10,47 +10,47 @@ namespace archetype = riprap::test::archetype;
 namespace {
 
 class WithoutMemory : public archetype::NarrowPhase {
-  using archetype::NarrowPhase::Memory;  // private
+  using archetype::NarrowPhase::Cache;  // private
 };
 struct MemoryThatMustBeMade : archetype::NarrowPhase {
-  struct Memory {
-    explicit Memory(int) {}
+  struct Cache {
+    explicit Cache(int) {}
   };
-  std::optional<ContactGeometry> operator()(Ring, Ring, Memory&) const { return {}; }
+  std::optional<ContactGeometry> operator()(Ring, Ring, Cache&) const { return {}; }
 };
 struct MemoryThatStays : archetype::NarrowPhase {
-  struct Memory {
-    Memory() = default;
-    Memory(const Memory&) = default;
-    Memory& operator=(const Memory&) = delete;
+  struct Cache {
+    Cache() = default;
+    Cache(const Cache&) = default;
+    Cache& operator=(const Cache&) = delete;
   };
-  std::optional<ContactGeometry> operator()(Ring, Ring, Memory&) const { return {}; }
+  std::optional<ContactGeometry> operator()(Ring, Ring, Cache&) const { return {}; }
 };
 struct NotConst : archetype::NarrowPhase {
-  std::optional<ContactGeometry> operator()(Ring, Ring, Memory&) { return {}; }
+  std::optional<ContactGeometry> operator()(Ring, Ring, Cache&) { return {}; }
 };
 struct BareDepth : archetype::NarrowPhase {
-  double operator()(Ring, Ring, Memory&) const { return 0; }
+  double operator()(Ring, Ring, Cache&) const { return 0; }
 };
 struct ChangesTheRing : archetype::NarrowPhase {
-  std::optional<ContactGeometry> operator()(Ring&, Ring, Memory&) const { return {}; }
+  std::optional<ContactGeometry> operator()(Ring&, Ring, Cache&) const { return {}; }
 };
 struct ChangesTheOtherRing : archetype::NarrowPhase {
-  std::optional<ContactGeometry> operator()(Ring, Ring&, Memory&) const { return {}; }
+  std::optional<ContactGeometry> operator()(Ring, Ring&, Cache&) const { return {}; }
 };
 struct TellsClearance : archetype::NarrowPhase {
-  archetype::Gives<double> clearance(archetype::Takes<Memory>) const {
+  archetype::Gives<double> clearance(archetype::Takes<Cache>) const {
     return archetype::Gives(0.0);
   }
 };
 struct ClearanceNotConst : archetype::NarrowPhase {
-  double clearance(const Memory&) { return 0; }
+  double clearance(const Cache&) { return 0; }
 };
 struct ClearanceChangesTheMemory : archetype::NarrowPhase {
-  double clearance(Memory&) const { return 0; }
+  double clearance(Cache&) const { return 0; }
 };
 struct ClearanceIsNoNumber : archetype::NarrowPhase {
-  Vec2 clearance(const Memory&) const { return {0, 0}; }
+  Vec2 clearance(const Cache&) const { return {0, 0}; }
 };
 // Another member of that name is none of ours.
 struct ClearanceOfRings : archetype::NarrowPhase {
@@ -58,7 +58,7 @@ struct ClearanceOfRings : archetype::NarrowPhase {
 };
 
 struct FindsSeveral : archetype::NarrowPhase {
-  struct Group {
+  struct Batch {
     using Of = FindsSeveral;
     static constexpr std::size_t capacity = 3;
     [[nodiscard]] archetype::Gives<std::size_t> size() const {
@@ -66,36 +66,36 @@ struct FindsSeveral : archetype::NarrowPhase {
     }
     void clear() {}
     archetype::Gives<bool> add(archetype::Takes<Ring>, archetype::Takes<Ring>,
-                               archetype::Takes<Memory>, ContactGeometry&) {
+                               archetype::Takes<Cache>, ContactGeometry&) {
       return archetype::Gives(false);
     }
   };
-  [[nodiscard]] archetype::Gives<unsigned> find(archetype::Takes<Group>) const {
+  [[nodiscard]] archetype::Gives<unsigned> find(archetype::Takes<Batch>) const {
     return archetype::Gives(0U);
   }
 };
 struct Inherits : FindsSeveral {};  // and may answer differently
 struct GroupOfNobody : archetype::NarrowPhase {
-  struct Group {};
+  struct Batch {};
 };
 struct FindNotConst : archetype::NarrowPhase {
-  struct Group : FindsSeveral::Group {
+  struct Batch : FindsSeveral::Batch {
     using Of = FindNotConst;
   };
-  unsigned find(const Group&) { return 0; }
+  unsigned find(const Batch&) { return 0; }
 };
 struct GroupTooLarge : archetype::NarrowPhase {
-  struct Group : FindsSeveral::Group {
+  struct Batch : FindsSeveral::Batch {
     using Of = GroupTooLarge;
     static constexpr std::size_t capacity = 33;  // bits of an answer
   };
-  unsigned find(const Group&) const { return 0; }
+  unsigned find(const Batch&) const { return 0; }
 };
 
 static_assert(NarrowPhase<FindsSeveral>);
-static_assert(FindsGroups<FindsSeveral>);
+static_assert(FindsBatches<FindsSeveral>);
 static_assert(NarrowPhase<Inherits>);
-static_assert(!FindsGroups<Inherits>);
+static_assert(!FindsBatches<Inherits>);
 static_assert(!NarrowPhase<GroupOfNobody>);
 static_assert(!NarrowPhase<FindNotConst>);
 static_assert(!NarrowPhase<GroupTooLarge>);
@@ -117,8 +117,8 @@ static_assert(!NarrowPhase<ChangesTheOtherRing>);
 
 TEST_CASE("a narrow phase that always answers with a contact is one too") {
   struct AlwaysTouching {
-    struct Memory {};
-    ContactGeometry operator()(Ring, Ring, Memory&) const { return {}; }
+    struct Cache {};
+    ContactGeometry operator()(Ring, Ring, Cache&) const { return {}; }
   };
   CHECK(NarrowPhase<AlwaysTouching>);
 }

@@ -7,8 +7,8 @@
 
 using namespace riprap;
 
-TEST_CASE("nobody touches where nothing overlaps, not even a body on top of itself") {
+TEST_CASE("no contact, not even of a body with itself") {
   const ConvexPolygon square = test::rectangle({0, 0}, 1, 1);
-  NoOverlap::Memory memory;
-  CHECK(!NoOverlap{}(square.ring(), square.ring(), memory));
+  NoOverlap::Cache cache;
+  CHECK(!NoOverlap{}(square.ring(), square.ring(), cache));
 }

@@ -274,7 +274,7 @@ TEST_CASE("what a pair remembers never changes the answer") {
   Random random(7);
   const ConvexPolygon a = random_polygon({}, 1, random);
   const ConvexPolygon b = random_polygon({}, 1, random);
-  OverlapChord::Memory kept;
+  OverlapChord::Cache kept;
   int touching = 0;
   for (int i = 0; i < 2000; ++i) {
     const Rotation at = Rotation::from_angle(0.013 * i);
@@ -296,16 +296,16 @@ TEST_CASE("what a pair remembers never changes the answer") {
 TEST_CASE("a memory of another pair's edge does no harm") {
   const ConvexPolygon a = rectangle({0, 0}, 1, 1);
   const ConvexPolygon b = tip_down({0, 0.4}, 1, 1);
-  using Memory = OverlapChord::Memory;
-  for (const auto state :
-       {Memory::State::apart, Memory::State::cap, Memory::State::lens, Memory::State::entangled}) {
-    Memory memory{.state = state,
-                  .separating = {.of_b = true, .edge = 63},
-                  .of_b = true,
-                  .entry = {.edge = 63, .first = 63},
-                  .corner_a = 63,
-                  .corner_b = 63};
-    CHECK(OverlapChord{}(a.ring(), b.ring(), memory));
+  using Cache = OverlapChord::Cache;
+  for (const auto state : {Cache::State::apart, Cache::State::corner_edge,
+                           Cache::State::corner_corner, Cache::State::general}) {
+    Cache cache{.state = state,
+                .separating = {.of_b = true, .edge = 63},
+                .of_b = true,
+                .entry = {.edge = 63, .first = 63},
+                .corner_a = 63,
+                .corner_b = 63};
+    CHECK(OverlapChord{}(a.ring(), b.ring(), cache));
   }
 }
 

@@ -187,8 +187,8 @@ TEST_CASE("what a pair remembers never changes its contact by separating axes") 
       100, [](const auto& a, const auto& b, const ContactGeometry& contact) {
         for (const bool of_b : {false, true})
           for (const unsigned edge : {0u, 1u, 2u, 7u, 255u}) {
-            SeparatingAxis::Memory memory{of_b, static_cast<std::uint8_t>(edge)};
-            const auto again = SeparatingAxis{}(a.ring(), b.ring(), memory);
+            SeparatingAxis::Cache cache{of_b, static_cast<std::uint8_t>(edge)};
+            const auto again = SeparatingAxis{}(a.ring(), b.ring(), cache);
             REQUIRE(again);
             CHECK(same_bits(*again, contact));
           }

@@ -63,7 +63,8 @@ std::string state_after_crushing(Execution execution) {
     std::memcpy(copy + sizeof(Vec2) + sizeof(Rotation), &body.angular_velocity, sizeof(double));
     bytes.append(copy, sizeof copy);
   }
-  for (const double work : {sim.work().boundary, sim.work().damping, sim.contacts().slipped()})
+  for (const double work :
+       {sim.work().boundary, sim.work().damping, sim.contacts().friction_loss()})
     bytes.append(reinterpret_cast<const char*>(&work), sizeof work);
   return bytes;
 }

@@ -38,10 +38,10 @@ struct EnclosesTheAssemblyOnly : archetype::Boundary {
   void enclose(const Assembly&) {}
 };
 struct PlaneWithoutDrift : archetype::Boundary {
-  PeriodicPlane plane() const { return {}; }
+  PeriodicDomain domain() const { return {}; }
 };
 struct PlaneNotConst : archetype::Boundary {
-  PeriodicPlane plane() { return {}; }
+  PeriodicDomain domain() { return {}; }
   void drift(double) {}
 };
 

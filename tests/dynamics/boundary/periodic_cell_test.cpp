@@ -41,9 +41,9 @@ TEST_CASE("at a constant rate the cell shrinks exponentially") {
   constexpr int steps = 1000;
   for (int n = 0; n < steps; ++n) cell.drift(1.0 / steps);
   // (1 - x/n)^n = exp(-x) (1 - x^2 / 2n + ...).
-  CHECK(cell.plane().period.x() == near_relative(4 * std::exp(-0.5), 0.5 * 0.25 / steps * 1.1));
-  CHECK(cell.plane().period.y() == near_relative(2 * std::exp(0.1), 0.5 * 0.01 / steps * 1.1));
-  CHECK(cell.plane().rate == Vec2{0.5, -0.1});
+  CHECK(cell.domain().period.x() == near_relative(4 * std::exp(-0.5), 0.5 * 0.25 / steps * 1.1));
+  CHECK(cell.domain().period.y() == near_relative(2 * std::exp(0.1), 0.5 * 0.01 / steps * 1.1));
+  CHECK(cell.domain().rate == Vec2{0.5, -0.1});
 }
 
 TEST_CASE("boundary bodies in a periodic cell are an error") {

@@ -19,16 +19,16 @@ struct OrderOfAnObject : archetype::Integrator {
   int order = 1;
 };
 struct WithoutNeedsFinish : archetype::Integrator {
-  void needs_finish() const {}
+  void has_second_kick() const {}
 };
 struct NeedsFinishIsNoConstant : archetype::Integrator {
-  static inline bool needs_finish = true;
+  static inline bool has_second_kick = true;
 };
 struct WithoutAdvance : archetype::Integrator {
   void advance() const {}
 };
 struct WithoutFinish : archetype::Integrator {
-  void finish() const {}
+  void second_kick() const {}
 };
 struct Remembers : archetype::Integrator {
   void advance(Body&, const Wrench&, double) {}
@@ -37,19 +37,19 @@ struct ChangesTheWrench : archetype::Integrator {
   void advance(Body&, Wrench&, double) const {}
 };
 struct NeedsFinishOfAnObject : archetype::Integrator {
-  bool needs_finish = true;
+  bool has_second_kick = true;
 };
 struct ChangesTheStep : archetype::Integrator {
   void advance(Body&, const Wrench&, double&) const {}
 };
 struct FinishIsNotConst : archetype::Integrator {
-  void finish(Body&, const Wrench&, double) {}
+  void second_kick(Body&, const Wrench&, double) {}
 };
 struct FinishChangesTheWrench : archetype::Integrator {
-  void finish(Body&, Wrench&, double) const {}
+  void second_kick(Body&, Wrench&, double) const {}
 };
 struct FinishChangesTheStep : archetype::Integrator {
-  void finish(Body&, const Wrench&, double&) const {}
+  void second_kick(Body&, const Wrench&, double&) const {}
 };
 
 static_assert(Integrator<archetype::Integrator>);
@@ -63,7 +63,7 @@ static_assert(!Integrator<Remembers>);
 static_assert(!Integrator<ChangesTheWrench>);
 
 struct FirstKickNotConst : archetype::Integrator {
-  double first_kick() { return 0.5; }
+  double first_kick_fraction() { return 0.5; }
 };
 static_assert(!Integrator<FirstKickNotConst>);
 static_assert(!Integrator<NeedsFinishOfAnObject>);
@@ -74,12 +74,12 @@ static_assert(!Integrator<FinishChangesTheStep>);
 
 struct OneKick : archetype::Integrator {
   using archetype::Integrator::Integrator;
-  static constexpr bool needs_finish = false;
+  static constexpr bool has_second_kick = false;
 };
 
 struct ThirdFirst : archetype::Integrator {
   using archetype::Integrator::Integrator;
-  double first_kick() const { return 1.0 / 3; }
+  double first_kick_fraction() const { return 1.0 / 3; }
 };
 
 Body moving_body() {
@@ -144,7 +144,7 @@ TEST_CASE("a kick changes kinetic energy by the work over the mean of both veloc
 }
 
 TEST_CASE("the first kick is all or half of the impulse, unless the integrator says otherwise") {
-  CHECK(first_kick(OneKick{0}) == 1);
-  CHECK(first_kick(archetype::Integrator{0}) == 0.5);
-  CHECK(first_kick(ThirdFirst{0}) == 1.0 / 3);
+  CHECK(first_kick_fraction(OneKick{0}) == 1);
+  CHECK(first_kick_fraction(archetype::Integrator{0}) == 0.5);
+  CHECK(first_kick_fraction(ThirdFirst{0}) == 1.0 / 3);
 }

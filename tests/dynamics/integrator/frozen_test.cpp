@@ -23,7 +23,7 @@ double error_at_one(int steps) {
   body.inertia = 1;
   for (int i = 0; i < steps; ++i) {
     Frozen{}.advance(body, {-50 * body.position, 0}, 1.0 / steps);
-    Frozen{}.finish(body, {-50 * body.position, 0}, 1.0 / steps);
+    Frozen{}.second_kick(body, {-50 * body.position, 0}, 1.0 / steps);
   }
   return std::abs(body.position.x() - std::cos(5));
 }

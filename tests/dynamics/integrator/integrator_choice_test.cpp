@@ -14,13 +14,13 @@ namespace {
 
 using Choice = IntegratorChoice<SymplecticEuler, VelocityVerlet, Frozen>;
 static_assert(Integrator<Choice>);
-static_assert(Choice::order == 0 && Choice::needs_finish);
+static_assert(Choice::order == 0 && Choice::has_second_kick);
 static_assert(IntegratorChoice<VelocityVerlet>::order == 2);
-static_assert(!IntegratorChoice<SymplecticEuler, Frozen>::needs_finish);
+static_assert(!IntegratorChoice<SymplecticEuler, Frozen>::has_second_kick);
 
 // Says that there is nothing to finish, and means it.
 struct MustNotFinish : SymplecticEuler {
-  void finish(Body&, const Wrench&, double) const { FAIL("finish of a one-kick scheme"); }
+  void second_kick(Body&, const Wrench&, double) const { FAIL("finish of a one-kick scheme"); }
 };
 
 }  // namespace
@@ -44,7 +44,7 @@ TEST_CASE("integrators that are chosen differ") {
 TEST_CASE("a one-kick scheme is never asked to finish, and gives all in its first kick") {
   const IntegratorChoice<MustNotFinish, VelocityVerlet> choice{MustNotFinish{}};
   Body body;
-  choice.finish(body, {{1, 2}, 3}, 0.1);
-  CHECK(choice.first_kick() == 1);
-  CHECK(Choice{VelocityVerlet{}}.first_kick() == 0.5);
+  choice.second_kick(body, {{1, 2}, 3}, 0.1);
+  CHECK(choice.first_kick_fraction() == 1);
+  CHECK(Choice{VelocityVerlet{}}.first_kick_fraction() == 0.5);
 }

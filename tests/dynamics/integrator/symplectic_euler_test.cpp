@@ -124,9 +124,9 @@ TEST_CASE("a torque spring turns a body at its own frequency") {
 }
 
 TEST_CASE("symplectic Euler has nothing to finish") {
-  CHECK(!SymplecticEuler::needs_finish);
+  CHECK(!SymplecticEuler::has_second_kick);
   Body body = oscillator();
-  SymplecticEuler{}.finish(body, {{1, 2}, 3}, 0.1);
+  SymplecticEuler{}.second_kick(body, {{1, 2}, 3}, 0.1);
   CHECK(body.velocity == Vec2{0, 0});
   CHECK(body.position == Vec2{1, 0});
 }

@@ -25,7 +25,7 @@ Wrench spring(const Body& body) { return {-stiffness * body.position, 0}; }
 
 void step(Body& body, double time_step) {
   VelocityVerlet{}.advance(body, spring(body), time_step);
-  VelocityVerlet{}.finish(body, spring(body), time_step);
+  VelocityVerlet{}.second_kick(body, spring(body), time_step);
 }
 
 struct Errors {
@@ -56,7 +56,7 @@ TEST_CASE("velocity Verlet follows a constant force exactly") {
   const Wrench weight{{0, -2 * 9.81}, 0};
   for (int i = 0; i < 1000; ++i) {
     VelocityVerlet{}.advance(body, weight, 1e-3);
-    VelocityVerlet{}.finish(body, weight, 1e-3);
+    VelocityVerlet{}.second_kick(body, weight, 1e-3);
   }
   // Round-off of 1000 additions.
   CHECK(body.position.y() == near_relative(-4.905, 1e-12));
@@ -83,4 +83,4 @@ TEST_CASE("velocity Verlet runs backwards to where it came from") {
   CHECK((body.velocity - start.velocity).norm() <= 1e-12 * omega);
 }
 
-TEST_CASE("velocity Verlet has a second kick to do") { CHECK(VelocityVerlet::needs_finish); }
+TEST_CASE("velocity Verlet has a second kick to do") { CHECK(VelocityVerlet::has_second_kick); }

@@ -16,16 +16,16 @@ struct FlexibilityOfAnObject : archetype::Support {
   bool needs_flexibility = false;
 };
 struct WithoutSettle : archetype::Support {
-  void settle() const {}
+  void apply_reactions() const {}
 };
 struct NotConst : archetype::Support {
-  void settle(std::span<BoundaryLoad>, const InfluenceOperator&) {}
+  void apply_reactions(std::span<BoundaryLoad>, const InfluenceOperator&) {}
 };
 struct ChangesTheOperator : archetype::Support {
-  void settle(std::span<BoundaryLoad>, InfluenceOperator&) const {}
+  void apply_reactions(std::span<BoundaryLoad>, InfluenceOperator&) const {}
 };
 struct ChangesTheSpan : archetype::Support {
-  void settle(std::span<BoundaryLoad>&, const InfluenceOperator&) const {}
+  void apply_reactions(std::span<BoundaryLoad>&, const InfluenceOperator&) const {}
 };
 
 static_assert(Support<archetype::Support>);
@@ -38,7 +38,7 @@ static_assert(!Support<ChangesTheSpan>);
 
 struct HalfTheLoad {
   static constexpr bool needs_flexibility = false;
-  void settle(std::span<BoundaryLoad> loads, const InfluenceOperator&) const {
+  void apply_reactions(std::span<BoundaryLoad> loads, const InfluenceOperator&) const {
     for (BoundaryLoad& load : loads) load.force *= 0.5;
   }
 };

@@ -26,9 +26,9 @@ TEST_CASE("a chosen support settles loads as the support itself") {
   const auto loads = test::random_loads(mesh, 5, random);
   const auto check_same = [&](const auto& support) {
     auto direct = loads;
-    support.settle(direct, op);
+    support.apply_reactions(direct, op);
     auto chosen = loads;
-    Choice{support}.settle(chosen, op);
+    Choice{support}.apply_reactions(chosen, op);
     for (std::size_t i = 0; i < loads.size(); ++i) CHECK(chosen[i].force == direct[i].force);
   };
   check_same(InertiaRelief{});

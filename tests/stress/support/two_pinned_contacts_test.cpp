@@ -104,15 +104,15 @@ TEST_CASE("pinned contacts give what assembling and solving with two fixed point
       const auto reactions = direct.solve_pinned(others, {loads[i].at, loads[j].at}, expected);
 
       const InfluenceOperator op(mesh, ConstantStrainTriangle{}, plane, rock, thickness, true);
-      auto settled = loads;
-      TwoPinnedContacts{}.settle(settled, op);
-      CHECK(relative_difference(stress_of(op, settled), expected) <= 1e-9);
+      auto balanced = loads;
+      TwoPinnedContacts{}.apply_reactions(balanced, op);
+      CHECK(relative_difference(stress_of(op, balanced), expected) <= 1e-9);
       const double size = reactions[0].norm() + reactions[1].norm();
-      CHECK((settled[i].force - reactions[0]).norm() <= 1e-9 * size);
-      CHECK((settled[j].force - reactions[1]).norm() <= 1e-9 * size);
+      CHECK((balanced[i].force - reactions[0]).norm() <= 1e-9 * size);
+      CHECK((balanced[j].force - reactions[1]).norm() <= 1e-9 * size);
       for (std::size_t k = 0; k < loads.size(); ++k)
-        if (k != i && k != j) CHECK(settled[k].force == loads[k].force);
-      check_balanced(mesh, settled);
+        if (k != i && k != j) CHECK(balanced[k].force == loads[k].force);
+      check_balanced(mesh, balanced);
     };
     compare(PlaneStress{});
     compare(PlaneStrain{});
@@ -125,7 +125,7 @@ TEST_CASE("with the reactions of the pins the mean stress is the sum of force ti
     const Mesh mesh = test::random_mesh(random, 100);
     const InfluenceOperator op = operator_of(mesh);
     auto loads = spread_loads(mesh, 4, random);
-    TwoPinnedContacts{}.settle(loads, op);
+    TwoPinnedContacts{}.apply_reactions(loads, op);
     Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
     double area = 0;
     for (const BoundaryLoad& load : loads) sum -= load.force * mesh.position(load.at).transpose();
@@ -148,7 +148,7 @@ TEST_CASE("a particle with exactly two contacts feels no load when both are pinn
                                     load_at(mesh, {-0.009, 0.001}, {500, -30}, 500)};
     // Free, it is pressed together.
     CHECK(stress_of(op, loads).values().cwiseAbs().maxCoeff() > 1e5);
-    TwoPinnedContacts{choice}.settle(loads, op);
+    TwoPinnedContacts{choice}.apply_reactions(loads, op);
     CHECK(loads[0].force.norm() == 0);
     CHECK(loads[1].force.norm() == 0);
   }
@@ -157,15 +157,15 @@ TEST_CASE("a particle with exactly two contacts feels no load when both are pinn
 TEST_CASE("a particle that two pins cannot hold is left without stress") {
   const Mesh mesh = hexagon(100);
   const InfluenceOperator op = operator_of(mesh);
-  TwoPinnedContacts{}.settle({}, op);
+  TwoPinnedContacts{}.apply_reactions({}, op);
 
   std::vector<BoundaryLoad> one{load_at(mesh, {0.009, 0.001}, {-500, 30}, 500)};
-  TwoPinnedContacts{}.settle(one, op);
+  TwoPinnedContacts{}.apply_reactions(one, op);
   CHECK(one[0].force == Vec2{0, 0});
 
   // Three contacts on one and the same place.
   std::vector<BoundaryLoad> same(3, load_at(mesh, {0, 0.009}, {-500, -30}, 500));
-  TwoPinnedContacts{}.settle(same, op);
+  TwoPinnedContacts{}.apply_reactions(same, op);
   for (const BoundaryLoad& load : same) CHECK(load.force == Vec2{0, 0});
 }
 
@@ -175,7 +175,7 @@ TEST_CASE("of contacts that coincide only one is pinned") {
   std::vector<BoundaryLoad> loads{
       load_at(mesh, {0, 0.009}, {10, -900}, 900), load_at(mesh, {1e-6, 0.009}, {20, -800}, 800),
       load_at(mesh, {0.009, 0.001}, {-300, 5}, 300), load_at(mesh, {-0.009, 0.001}, {200, 5}, 200)};
-  TwoPinnedContacts{}.settle(loads, op);
+  TwoPinnedContacts{}.apply_reactions(loads, op);
   CHECK(loads[1].force == Vec2{20, -800});
   CHECK(loads[3].force == Vec2{200, 5});
   check_balanced(mesh, loads);
@@ -190,11 +190,11 @@ TEST_CASE("the two largest normal forces are pinned, or the two contacts farthes
       load_at(mesh, {0.009, 0}, {-100, 1}, 100), load_at(mesh, {0, 0.009}, {2, -400}, 400),
       load_at(mesh, {-0.009, 0}, {200, 3}, 200), load_at(mesh, {0.001, -0.009}, {4, 500}, 500)};
   const auto pinned = [&](Choice choice) {
-    auto settled = loads;
-    TwoPinnedContacts{choice}.settle(settled, op);
+    auto balanced = loads;
+    TwoPinnedContacts{choice}.apply_reactions(balanced, op);
     std::vector<std::size_t> changed;
     for (std::size_t k = 0; k < 4; ++k)
-      if (settled[k].force != loads[k].force) changed.push_back(k);
+      if (balanced[k].force != loads[k].force) changed.push_back(k);
     return changed;
   };
   CHECK(TwoPinnedContacts{}.choice == Choice::largest_normal_forces);
@@ -209,7 +209,7 @@ TEST_CASE("among equal contacts the first are pinned") {
   for (const Vec2& x : {Vec2{0.009, 0}, Vec2{0, 0.009}, Vec2{-0.009, 0}, Vec2{0, -0.009}})
     loads.push_back(load_at(mesh, x, -1e4 * x + Vec2{5, 3}, 100));
   const auto before = loads;
-  TwoPinnedContacts{}.settle(loads, op);
+  TwoPinnedContacts{}.apply_reactions(loads, op);
   CHECK(loads[0].force != before[0].force);
   CHECK(loads[1].force != before[1].force);
   CHECK(loads[2].force == before[2].force);
@@ -240,9 +240,9 @@ TEST_CASE("the six choices of two pins among four contacts change stresses by te
       CAPTURE(i);
       CAPTURE(j);
       prefer(loads, i, j);
-      auto settled = loads;
-      TwoPinnedContacts{}.settle(settled, op);
-      const ElementStress pinned = stress_of(op, settled);
+      auto balanced = loads;
+      TwoPinnedContacts{}.apply_reactions(balanced, op);
+      const ElementStress pinned = stress_of(op, balanced);
       ElementStress change = free;
       change.values() -= pinned.values();
       const double share = norm(mesh, change) / norm(mesh, free);
@@ -252,7 +252,7 @@ TEST_CASE("the six choices of two pins among four contacts change stresses by te
             near_relative(free_energy, 1e-9));
       // The loads were in equilibrium: all that changes is the force along the line of the pins.
       const Vec2 line = mesh.position(loads[j].at) - mesh.position(loads[i].at);
-      const Vec2 push = settled[j].force - loads[j].force;
+      const Vec2 push = balanced[j].force - loads[j].force;
       CHECK(std::abs(cross(line.normalized(), push)) <= 1e-9 * push.norm());
       fields.push_back(pinned);
     }
@@ -268,8 +268,8 @@ TEST_CASE("pins and loads turned together give turned reactions") {
   auto turned_loads = loads;
   const Rotation turn = Rotation::from_angle(0.7345);
   for (BoundaryLoad& load : turned_loads) load.force = turn * load.force;
-  TwoPinnedContacts{}.settle(loads, operator_of(mesh));
-  TwoPinnedContacts{}.settle(turned_loads, operator_of(test::turned(mesh, turn)));
+  TwoPinnedContacts{}.apply_reactions(loads, operator_of(mesh));
+  TwoPinnedContacts{}.apply_reactions(turned_loads, operator_of(test::turned(mesh, turn)));
   for (std::size_t k = 0; k < loads.size(); ++k)
     CHECK((turned_loads[k].force - turn * loads[k].force).norm() <= 1e-9 * 1e3);
 }
@@ -282,9 +282,9 @@ TEST_CASE("reactions do not depend on Young's modulus, and grow with the loads")
   auto soft = loads;
   auto large = loads;
   for (BoundaryLoad& load : large) load.force *= 7;
-  TwoPinnedContacts{}.settle(stiff, operator_of(mesh, {70e9, 0.17, 2500}));
-  TwoPinnedContacts{}.settle(soft, operator_of(mesh, {1e7, 0.17, 2500}));
-  TwoPinnedContacts{}.settle(large, operator_of(mesh, {70e9, 0.17, 2500}));
+  TwoPinnedContacts{}.apply_reactions(stiff, operator_of(mesh, {70e9, 0.17, 2500}));
+  TwoPinnedContacts{}.apply_reactions(soft, operator_of(mesh, {1e7, 0.17, 2500}));
+  TwoPinnedContacts{}.apply_reactions(large, operator_of(mesh, {70e9, 0.17, 2500}));
   for (std::size_t k = 0; k < loads.size(); ++k) {
     CHECK((soft[k].force - stiff[k].force).norm() <= 1e-9 * 1e3);
     CHECK((large[k].force - 7 * stiff[k].force).norm() <= 1e-9 * 7e3);

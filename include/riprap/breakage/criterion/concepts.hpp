@@ -12,7 +12,7 @@
 
 namespace riprap {
 
-namespace clauses {
+namespace requirements {
 
 /// `criterion.major_stress_at_failure(minor)` [Pa]: sigma_1f for a given sigma_3; must rise at
 /// least as fast as sigma_3 does. Safety factor, mode and friction angle all derive from it.
@@ -22,14 +22,14 @@ concept FailureCriterionCurve = requires(const C& criterion, const double minor)
 };
 
 /// `criterion.tensile_strength()` [Pa], positive: an element fails in tension where
-/// sigma_3 <= -tensile_strength. Asked for because the curve need not end in its own apex.
+/// sigma_3 <= -tensile_strength. Required because the curve need not end in its own apex.
 template <class C>
 concept FailureCriterionTension = requires(const C& criterion) {
   { criterion.tensile_strength() } -> std::convertible_to<double>;
 };
 
 /// Optional: `criterion.friction_angle(minor)` [rad]; else it follows from the slope of the curve.
-/// One that is not const would be passed over in silence.
+/// A non-const function would be ignored silently.
 template <class C>
 concept FailureCriterionAngle = !requires(C& criterion, double minor) {
   criterion.friction_angle(minor);
@@ -37,30 +37,31 @@ concept FailureCriterionAngle = !requires(C& criterion, double minor) {
   { criterion.friction_angle(minor) } -> std::convertible_to<double>;
 };
 
-}  // namespace clauses
+}  // namespace requirements
 
 /// A `FailureCriterion` is a curve in the plane of the principal stresses, compression positive.
 ///
 /// Optional: `C::never_fails == true`, and the stress analysis is left out of the program.
 template <class C>
-concept FailureCriterion = Policy<C> && clauses::FailureCriterionCurve<C> &&
-                           clauses::FailureCriterionTension<C> && clauses::FailureCriterionAngle<C>;
+concept FailureCriterion =
+    Policy<C> && requirements::FailureCriterionCurve<C> &&
+    requirements::FailureCriterionTension<C> && requirements::FailureCriterionAngle<C>;
 
 template <class C>
 consteval bool check_criterion() {
   check_policy<C>();
   static_assert(
-      clauses::FailureCriterionCurve<C>,
+      requirements::FailureCriterionCurve<C>,
       "riprap: a FailureCriterion must have double major_stress_at_failure(double minor) const");
-  static_assert(clauses::FailureCriterionTension<C>,
+  static_assert(requirements::FailureCriterionTension<C>,
                 "riprap: a FailureCriterion must have double tensile_strength() const");
-  static_assert(clauses::FailureCriterionAngle<C>,
+  static_assert(requirements::FailureCriterionAngle<C>,
                 "riprap: friction_angle of a FailureCriterion must be double friction_angle(double "
                 "minor) const");
   return FailureCriterion<C>;
 }
 
-/// True for a criterion that says of itself that nothing ever fails by it.
+/// True for a criterion that declares that nothing ever fails by it.
 template <class C>
 inline constexpr bool never_fails = [] {
   if constexpr (requires { C::never_fails; })

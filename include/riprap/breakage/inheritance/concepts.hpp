@@ -10,7 +10,7 @@
 
 namespace riprap {
 
-namespace clauses {
+namespace requirements {
 
 /// `inherit(parent, piece)` sets `piece.velocity` and `piece.angular_velocity`. The piece is the
 /// body itself, already in place, with its mass, for its velocities depend on both. Const, for one
@@ -19,17 +19,17 @@ template <class I>
 concept InheritanceCall =
     requires(const I& inherit, const Body& parent, Body& piece) { inherit(parent, piece); };
 
-}  // namespace clauses
+}  // namespace requirements
 
 /// An `Inheritance` gives a piece its velocities.
 template <class I>
-concept Inheritance = Policy<I> && clauses::InheritanceCall<I>;
+concept Inheritance = Policy<I> && requirements::InheritanceCall<I>;
 
 template <class I>
 consteval bool check_inheritance() {
   check_policy<I>();
   static_assert(
-      clauses::InheritanceCall<I>,
+      requirements::InheritanceCall<I>,
       "riprap: an Inheritance must have void operator()(const Body& parent, Body& piece) const");
   return Inheritance<I>;
 }

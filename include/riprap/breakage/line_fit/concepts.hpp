@@ -19,7 +19,7 @@ struct WeightedPoint {
   double weight = 1;
 };
 
-namespace clauses {
+namespace requirements {
 
 /// `fit(points, planes)` -> the line, or nothing where the points determine none. `points` are the
 /// failed elements only, in laboratory axes; `planes` are the failure planes of the first failed
@@ -30,16 +30,16 @@ concept LineFitCall = requires(const F& fit, const std::span<const WeightedPoint
   { fit(points, planes) } -> std::convertible_to<std::optional<Line>>;
 };
 
-}  // namespace clauses
+}  // namespace requirements
 
 /// A `LineFit` draws one straight line through the failed elements.
 template <class F>
-concept LineFit = Policy<F> && clauses::LineFitCall<F>;
+concept LineFit = Policy<F> && requirements::LineFitCall<F>;
 
 template <class F>
 consteval bool check_line_fit() {
   check_policy<F>();
-  static_assert(clauses::LineFitCall<F>,
+  static_assert(requirements::LineFitCall<F>,
                 "riprap: a LineFit must have std::optional<Line> operator()(std::span<const "
                 "WeightedPoint>, const FailurePlanes&) const");
   return LineFit<F>;

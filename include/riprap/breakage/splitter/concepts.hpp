@@ -12,7 +12,7 @@
 
 namespace riprap {
 
-namespace clauses {
+namespace requirements {
 
 /// `splitter(ring, line, mean_area)` -> the two rings, whose areas add up to the whole, or nothing.
 /// A piece that breaks a rule of ConvexPolygon (more than 64 vertices, not convex) counts as a
@@ -33,18 +33,20 @@ concept SplitterMaximumPieces =
       { splitter.maximum_pieces } -> std::convertible_to<std::size_t>;
     };
 
-}  // namespace clauses
+}  // namespace requirements
 
 /// A `Splitter` cuts a particle in two or refuses.
 template <class S>
-concept Splitter = Policy<S> && clauses::SplitterCall<S> && clauses::SplitterMaximumPieces<S>;
+concept Splitter =
+    Policy<S> && requirements::SplitterCall<S> && requirements::SplitterMaximumPieces<S>;
 
 template <class S>
 consteval bool check_splitter() {
   check_policy<S>();
-  static_assert(clauses::SplitterCall<S>, "riprap: a Splitter must have std::optional<CutRings> "
-                                          "operator()(Ring, const Line&, double mean_area) const");
-  static_assert(clauses::SplitterMaximumPieces<S>,
+  static_assert(requirements::SplitterCall<S>,
+                "riprap: a Splitter must have std::optional<CutRings> "
+                "operator()(Ring, const Line&, double mean_area) const");
+  static_assert(requirements::SplitterMaximumPieces<S>,
                 "riprap: maximum_pieces of a Splitter must be a std::size_t");
   return Splitter<S>;
 }

@@ -7,8 +7,8 @@
 
 namespace riprap {
 
-/// Particles crack and stay whole: cracks are sought as ever, and no particle is asked again until
-/// its contact partners change.
+/// Particles crack and stay whole: cracks are still searched for, and no particle is checked again
+/// until its contact partners change.
 struct NoSplit {
   [[nodiscard]] std::optional<CutRings> operator()(Ring, const Line&, double) const {
     return std::nullopt;

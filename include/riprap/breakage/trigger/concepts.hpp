@@ -7,23 +7,24 @@
 #include <concepts>
 #include <cstddef>
 
-#include <riprap/breakage/failure_tally.hpp>
+#include <riprap/breakage/failure_count.hpp>
 #include <riprap/core/ids.hpp>
 #include <riprap/core/policy.hpp>
 
 namespace riprap {
 
-namespace clauses {
+namespace requirements {
 
-/// `trigger(tally)` -> bool. Const: a decision depends on one evaluation, not on those before it.
+/// `trigger(failures)` -> bool. Const: a decision depends on one evaluation, not on those before
+/// it.
 template <class T>
-concept BreakageTriggerCall = requires(const T& trigger, const FailureTally& tally) {
-  { trigger(tally) } -> std::convertible_to<bool>;
+concept BreakageTriggerCall = requires(const T& trigger, const FailureCount& failures) {
+  { trigger(failures) } -> std::convertible_to<bool>;
 };
 
 /// Optional: `trigger.strength_factor(id, area)` [-], above 0: strength of the particle over that
-/// of the criterion. Const, for it must be the same whenever it is asked for; one that is not would
-/// be passed over in silence.
+/// of the criterion. Const, since it must not change from call to call; a non-const
+/// function would be ignored silently.
 template <class T>
 concept BreakageTriggerStrength = !requires(T& trigger, ParticleId id, double area) {
   trigger.strength_factor(id, area);
@@ -33,8 +34,8 @@ concept BreakageTriggerStrength = !requires(T& trigger, ParticleId id, double ar
 
 /// Optional: `trigger.failed_elements_needed(elements)`: with fewer failed elements, of so many, it
 /// never fires; more than there are if it never does. Particles that cannot have come so far since
-/// they were last evaluated are passed over, and break in the same step all the same. Const, for it
-/// must be the same whenever it is asked for.
+/// they were last evaluated are skipped (screening), and break in the same step as without it.
+/// Const, since it must not change from call to call.
 template <class T>
 concept BreakageTriggerNeeded = !requires(T& trigger, std::size_t elements) {
   trigger.failed_elements_needed(elements);
@@ -42,22 +43,23 @@ concept BreakageTriggerNeeded = !requires(T& trigger, std::size_t elements) {
   { trigger.failed_elements_needed(elements) } -> std::convertible_to<std::size_t>;
 };
 
-}  // namespace clauses
+}  // namespace requirements
 
-/// A `BreakageTrigger` decides from the tally of one evaluation.
+/// A `BreakageTrigger` decides from the failed elements of one evaluation.
 template <class T>
-concept BreakageTrigger = Policy<T> && clauses::BreakageTriggerCall<T> &&
-                          clauses::BreakageTriggerStrength<T> && clauses::BreakageTriggerNeeded<T>;
+concept BreakageTrigger =
+    Policy<T> && requirements::BreakageTriggerCall<T> && requirements::BreakageTriggerStrength<T> &&
+    requirements::BreakageTriggerNeeded<T>;
 
 template <class T>
 consteval bool check_trigger() {
   check_policy<T>();
-  static_assert(clauses::BreakageTriggerCall<T>,
-                "riprap: a BreakageTrigger must have bool operator()(const FailureTally&) const");
-  static_assert(clauses::BreakageTriggerStrength<T>,
+  static_assert(requirements::BreakageTriggerCall<T>,
+                "riprap: a BreakageTrigger must have bool operator()(const FailureCount&) const");
+  static_assert(requirements::BreakageTriggerStrength<T>,
                 "riprap: strength_factor of a BreakageTrigger must be double "
                 "strength_factor(ParticleId, double area) const");
-  static_assert(clauses::BreakageTriggerNeeded<T>,
+  static_assert(requirements::BreakageTriggerNeeded<T>,
                 "riprap: failed_elements_needed of a BreakageTrigger must be std::size_t "
                 "failed_elements_needed(std::size_t elements) const");
   return BreakageTrigger<T>;
@@ -67,7 +69,7 @@ consteval bool check_trigger() {
 /// if none does. By the comparison that triggers make, so that round-off agrees.
 [[nodiscard]] inline std::size_t failed_elements_for_ratio(std::size_t elements, double critical) {
   const auto reached = [&](std::size_t failed) {
-    return FailureTally{.elements = elements, .failed = failed}.ratio() >= critical;
+    return FailureCount{.elements = elements, .failed = failed}.ratio() >= critical;
   };
   if (!reached(elements)) return elements + 1;
   auto failed = static_cast<std::size_t>(

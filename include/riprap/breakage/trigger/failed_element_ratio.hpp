@@ -12,8 +12,8 @@ namespace riprap {
 struct FailedElementRatio {
   double critical = 0.4;  ///< RatF [-]; above 1 nothing breaks
 
-  [[nodiscard]] bool operator()(const FailureTally& tally) const {
-    return tally.ratio() >= critical;
+  [[nodiscard]] bool operator()(const FailureCount& failures) const {
+    return failures.ratio() >= critical;
   }
   [[nodiscard]] std::size_t failed_elements_needed(std::size_t elements) const {
     return failed_elements_for_ratio(elements, critical);

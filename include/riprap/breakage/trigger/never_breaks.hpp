@@ -10,7 +10,7 @@ namespace riprap {
 
 /// Always false.
 struct NeverBreaks {
-  [[nodiscard]] bool operator()(const FailureTally&) const { return false; }
+  [[nodiscard]] bool operator()(const FailureCount&) const { return false; }
   [[nodiscard]] std::size_t failed_elements_needed(std::size_t elements) const {
     return elements + 1;
   }

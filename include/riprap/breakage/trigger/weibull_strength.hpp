@@ -8,8 +8,8 @@
 
 #include <riprap/breakage/trigger/concepts.hpp>
 #include <riprap/core/errors.hpp>
-#include <riprap/core/hash.hpp>
 #include <riprap/core/ids.hpp>
+#include <riprap/core/splitmix64.hpp>
 
 namespace riprap {
 
@@ -27,8 +27,8 @@ struct WeibullStrength {
   [[nodiscard]] double strength_factor(ParticleId id, double area) const {
     return std::pow(-std::log1p(-draw(seed, id)) * reference_area / area, 1 / modulus);
   }
-  [[nodiscard]] bool operator()(const FailureTally& tally) const {
-    return tally.ratio() >= critical;
+  [[nodiscard]] bool operator()(const FailureCount& failures) const {
+    return failures.ratio() >= critical;
   }
   [[nodiscard]] std::size_t failed_elements_needed(std::size_t elements) const {
     return failed_elements_for_ratio(elements, critical);

@@ -19,7 +19,8 @@ struct AllPairs {
   void visit_pairs(std::span<const Box> boxes, Visit&& visit) const {
     for (std::size_t i = 0; i < boxes.size(); ++i)
       for (std::size_t j = i + 1; j < boxes.size(); ++j)
-        if (boxes[i].meets(boxes[j])) visit(static_cast<BodyIndex>(i), static_cast<BodyIndex>(j));
+        if (boxes[i].overlaps(boxes[j]))
+          visit(static_cast<BodyIndex>(i), static_cast<BodyIndex>(j));
   }
 
   void validate() const { require_non_negative("AllPairs.relative_skin", relative_skin); }

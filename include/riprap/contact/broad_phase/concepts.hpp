@@ -17,14 +17,14 @@ struct Box {
   Vec2 low{0, 0};
   Vec2 high{0, 0};
 
-  [[nodiscard]] bool meets(const Box& o) const {
+  [[nodiscard]] bool overlaps(const Box& o) const {
     return low.x() <= o.high.x() && o.low.x() <= high.x() && low.y() <= o.high.y() &&
            o.low.y() <= high.y();
   }
   [[nodiscard]] Box moved(const Vec2& by) const { return {low + by, high + by}; }
 };
 
-namespace clauses {
+namespace requirements {
 
 /// Stands for whatever is called for the pairs.
 struct PairVisitor {
@@ -32,7 +32,7 @@ struct PairVisitor {
 };
 
 /// `broad.relative_skin` [-]: boxes are grown by this share of the mean diameter, so that the pairs
-/// stay valid until some vertex has moved half as far; asked for because only the model knows what
+/// stay valid until some vertex has moved half as far; required because only the model knows what
 /// a rebuild costs.
 template <class B>
 concept BroadPhaseSkin = requires(const B& broad) {
@@ -48,7 +48,7 @@ concept BroadPhaseVisit = requires(const B& broad, const std::span<const Box> bo
 
 /// Optional: a type `B::Workspace` with `broad.visit_pairs(boxes, workspace, visit)`, which is then
 /// called instead: memory that is kept from search to search and means nothing. Without that call
-/// the type would be passed over in silence.
+/// the type would be ignored silently.
 template <class B>
 concept BroadPhaseWorkspace = !requires {
   typename B::Workspace;
@@ -67,21 +67,22 @@ struct WorkspaceOf<B> {
   using type = typename B::Workspace;
 };
 
-}  // namespace clauses
+}  // namespace requirements
 
 /// A `BroadPhase` finds the pairs whose boxes meet.
 template <class B>
-concept BroadPhase = Policy<B> && clauses::BroadPhaseSkin<B> && clauses::BroadPhaseVisit<B> &&
-                     clauses::BroadPhaseWorkspace<B>;
+concept BroadPhase = Policy<B> && requirements::BroadPhaseSkin<B> &&
+                     requirements::BroadPhaseVisit<B> && requirements::BroadPhaseWorkspace<B>;
 
 template <class B>
 consteval bool check_broad_phase() {
   check_policy<B>();
-  static_assert(clauses::BroadPhaseSkin<B>, "riprap: a BroadPhase must have double relative_skin");
-  static_assert(clauses::BroadPhaseVisit<B>,
+  static_assert(requirements::BroadPhaseSkin<B>,
+                "riprap: a BroadPhase must have double relative_skin");
+  static_assert(requirements::BroadPhaseVisit<B>,
                 "riprap: a BroadPhase must have template <class Visit> void "
                 "visit_pairs(std::span<const Box>, Visit&&) const");
-  static_assert(clauses::BroadPhaseWorkspace<B>,
+  static_assert(requirements::BroadPhaseWorkspace<B>,
                 "riprap: a BroadPhase with a type Workspace must have template <class Visit> void "
                 "visit_pairs(std::span<const Box>, Workspace&, Visit&&) const");
   return BroadPhase<B>;

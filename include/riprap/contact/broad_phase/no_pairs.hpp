@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Nobody is near anybody. The file to copy for a broad phase of your own.
+/// No pairs. The file to copy for a broad phase of your own.
 
 #include <span>
 
@@ -11,7 +11,7 @@ namespace riprap {
 
 /// Visits nothing: bodies fly freely, and contacts cost nothing.
 struct NoPairs {
-  static constexpr double relative_skin = 1;  ///< the answer never changes, so ask seldom [-]
+  static constexpr double relative_skin = 1;  ///< never has to be rebuilt [-]
 
   template <class Visit>
   void visit_pairs(std::span<const Box>, Visit&&) const {}

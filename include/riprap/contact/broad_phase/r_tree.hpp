@@ -18,7 +18,7 @@
 
 namespace riprap {
 
-/// Packs all boxes into a tree at each rebuild and asks it for the neighbours of each.
+/// Packs all boxes into an R-tree at each rebuild and queries the neighbours of each.
 struct RTree {
   double relative_skin = 0.1;  ///< over the mean diameter [-]
 

@@ -56,7 +56,7 @@ struct UniformGrid {
           const Box& p = boxes[members[k]];
           const Box& q = boxes[members[l]];
           // Two boxes may share several cells; the one with the corner of their common part counts.
-          if (p.meets(q) && grid.cell_of(componentwise_max(p.low, q.low)) == cell)
+          if (p.overlaps(q) && grid.cell_of(componentwise_max(p.low, q.low)) == cell)
             visit(members[k], members[l]);
         }
   }

@@ -20,13 +20,13 @@ struct ContactMotion {
 
 /// The force that a exerts on b.
 struct ContactForce {
-  double normal = 0;      ///< along the normal [N], pushing: positive
-  double tangential = 0;  ///< along the tangent [N]
-  double slipped = 0;     ///< energy lost in sliding during the step [J], >= 0
-  double damped = 0;      ///< energy lost in dashpots during the step [J], >= 0
+  double normal = 0;         ///< along the normal [N], pushing: positive
+  double tangential = 0;     ///< along the tangent [N]
+  double friction_loss = 0;  ///< energy lost in sliding during the step [J], >= 0
+  double viscous_loss = 0;   ///< energy lost in dashpots during the step [J], >= 0
 };
 
-namespace clauses {
+namespace requirements {
 
 /// `L::History`: what a contact carries from step to step. Every new contact starts with
 /// `History{}`, and contacts are moved when they are sorted.
@@ -57,15 +57,15 @@ concept ContactLawStiffness = requires(const L& law) {
   { law.peak_stiffness() } -> std::convertible_to<double>;
 };
 
-/// Optional: `law.frictionless()` -> another law of its type. Not const, it would be passed over in
-/// silence, and samples would compact with friction.
+/// Optional: `law.frictionless()` -> another law of its type. A non-const function would be ignored
+/// silently, and samples would be compacted with friction.
 template <class L>
 concept ContactLawFrictionless =
     !requires(L& law) { law.frictionless(); } || requires(const L& law) {
       { law.frictionless() } -> std::convertible_to<L>;
     };
 
-}  // namespace clauses
+}  // namespace requirements
 
 /// A `ContactLaw` computes contact forces.
 ///
@@ -73,27 +73,28 @@ concept ContactLawFrictionless =
 /// experiments take the friction away while they compact, if the law can be assigned. A member
 /// `may_pull` that is true: the normal force may be negative.
 template <class L>
-concept ContactLaw = Policy<L> && clauses::ContactLawHistory<L> && clauses::ContactLawCall<L> &&
-                     clauses::ContactLawEnergy<L> && clauses::ContactLawStiffness<L> &&
-                     clauses::ContactLawFrictionless<L>;
+concept ContactLaw =
+    Policy<L> && requirements::ContactLawHistory<L> && requirements::ContactLawCall<L> &&
+    requirements::ContactLawEnergy<L> && requirements::ContactLawStiffness<L> &&
+    requirements::ContactLawFrictionless<L>;
 
 template <class L>
 consteval bool check_contact_law() {
   check_policy<L>();
   static_assert(
-      clauses::ContactLawHistory<L>,
+      requirements::ContactLawHistory<L>,
       "riprap: a ContactLaw must have a type History that can be default-constructed and copied");
-  if constexpr (clauses::ContactLawHistory<L>) {  // the others cannot be asked without it
-    static_assert(clauses::ContactLawCall<L>,
+  if constexpr (requirements::ContactLawHistory<L>) {  // the others cannot be checked without it
+    static_assert(requirements::ContactLawCall<L>,
                   "riprap: a ContactLaw must have ContactForce operator()(const ContactGeometry&, "
                   "const ContactMotion&, History&) const");
     static_assert(
-        clauses::ContactLawEnergy<L>,
+        requirements::ContactLawEnergy<L>,
         "riprap: a ContactLaw must have double stored_energy(const ContactGeometry&, const "
         "History&) const");
-    static_assert(clauses::ContactLawStiffness<L>,
+    static_assert(requirements::ContactLawStiffness<L>,
                   "riprap: a ContactLaw must have double peak_stiffness() const");
-    static_assert(clauses::ContactLawFrictionless<L>,
+    static_assert(requirements::ContactLawFrictionless<L>,
                   "riprap: frictionless() of a ContactLaw must be const and return such a law");
   }
   return ContactLaw<L>;

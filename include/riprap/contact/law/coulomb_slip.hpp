@@ -13,8 +13,8 @@ namespace riprap {
 
 /// Tangential force after a step, and the energy that slip has taken.
 struct CoulombSlip {
-  double force = 0;    ///< [N]
-  double slipped = 0;  ///< [J], >= 0
+  double force = 0;          ///< [N]
+  double friction_loss = 0;  ///< [J], >= 0
 };
 
 /// The spring grows by -stiffness * velocity * time and is cut at +-cap (Cundall and Strack 1979).
@@ -26,7 +26,8 @@ struct CoulombSlip {
   CoulombSlip result{.force = std::clamp(trial, -cap, cap)};
   // Most contacts stick: they need not wait for a quotient.
   if (stiffness > 0 && std::abs(trial) > cap)
-    result.slipped = std::abs(0.5 * (before + result.force) * (trial - result.force)) / stiffness;
+    result.friction_loss =
+        std::abs(0.5 * (before + result.force) * (trial - result.force)) / stiffness;
   return result;
 }
 
@@ -37,7 +38,7 @@ inline void add_coulomb_slip(ContactForce& force, double& spring, double stiffne
   const CoulombSlip slip = coulomb_slip(spring, stiffness, motion.tangential_velocity,
                                         motion.time_step, friction * std::max(force.normal, 0.0));
   force.tangential = spring = slip.force;
-  force.slipped = slip.slipped;
+  force.friction_loss = slip.friction_loss;
 }
 
 /// Energy stored in the spring [J].

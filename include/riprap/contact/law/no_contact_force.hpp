@@ -7,7 +7,7 @@
 
 namespace riprap {
 
-/// Zero force, nothing stored; finds who would touch whom.
+/// Zero force, no stored energy; contacts are detected all the same.
 struct NoContactForce {
   struct History {};
 

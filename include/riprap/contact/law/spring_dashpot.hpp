@@ -34,7 +34,7 @@ struct SpringDashpot {
         2 * damping_ratio * std::sqrt(normal_stiffness * motion.effective_mass);
     ContactForce force{.normal = spring - viscosity * motion.normal_velocity};
     if (!may_pull) force.normal = std::max(force.normal, 0.0);
-    force.damped = (spring - force.normal) * motion.normal_velocity * motion.time_step;
+    force.viscous_loss = (spring - force.normal) * motion.normal_velocity * motion.time_step;
     add_coulomb_slip(force, history.tangential_force, tangential_stiffness, friction, motion);
     return force;
   }

@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include <riprap/geometry/edge_cap.hpp>
+#include <riprap/geometry/corner_edge_overlap.hpp>
 #include <riprap/geometry/line_side.hpp>
 #include <riprap/geometry/overlap.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
@@ -26,10 +26,10 @@ struct CommonPart {
 
   [[nodiscard]] bool empty() const { return polygon.size == 0; }
 
-  /// Where one ring enters the other through a single edge, if it does so with one or two vertices.
+  /// The corner-edge feature of the overlap, if it is one or two vertices beyond a single edge.
   struct Entry {
     bool of_b = false;  ///< whose edge it is
-    EntryPlace place;
+    CornerEdgeFeature place;
   };
   [[nodiscard]] std::optional<Entry> entry(std::size_t vertices_of_a,
                                            std::size_t vertices_of_b) const {
@@ -43,8 +43,8 @@ struct CommonPart {
     const std::size_t other_size = of_b == 1 ? vertices_of_a : vertices_of_b;
     const std::size_t first = next_vertex(going_in.edge, other_size);
     const std::size_t ring_size = of_b == 1 ? vertices_of_b : vertices_of_a;
-    return Entry{of_b == 1, entry_place(ring_size, polygon.sources[i].edge, other_size, first,
-                                        polygon.size - 2)};
+    return Entry{of_b == 1, corner_edge_feature(ring_size, polygon.sources[i].edge, other_size,
+                                                first, polygon.size - 2)};
   }
 
   /// The vertices of a and b that lie in the other, if it is one of each.

@@ -13,85 +13,85 @@
 
 namespace riprap {
 
-namespace clauses {
+namespace requirements {
 
-/// `N::Memory`: what a pair remembers from step to step (a separating edge, say); it may speed the
-/// answer up and must never change it. Every new pair starts with `Memory{}`, and pairs are moved
-/// when they are sorted.
+/// `N::Cache`: data of a pair kept from step to step (a separating edge, say) that may speed the
+/// evaluation up and must never change its result. A new pair starts with `Cache{}`; pairs are
+/// moved when they are sorted.
 template <class N>
-concept NarrowPhaseMemory =
-    requires { typename N::Memory; } && std::semiregular<typename N::Memory>;
+concept NarrowPhaseCache = requires { typename N::Cache; } && std::semiregular<typename N::Cache>;
 
-/// `narrow(a, b, memory)` -> the contact, or nothing where the rings keep apart. Swapping the rings
-/// flips the normal and changes nothing else; moving both rigidly moves the answer. Const: what is
-/// remembered belongs to the pair.
+/// `narrow(a, b, cache)` -> the contact, or nothing where the rings keep apart. Swapping the rings
+/// flips the normal and changes nothing else; moving both rigidly moves the contact. Const: what is
+/// cached belongs to the pair.
 template <class N>
 concept NarrowPhaseCall =
-    requires(const N& narrow, const Ring a, const Ring b, typename N::Memory& memory) {
-      { narrow(a, b, memory) } -> std::convertible_to<std::optional<ContactGeometry>>;
+    requires(const N& narrow, const Ring a, const Ring b, typename N::Cache& cache) {
+      { narrow(a, b, cache) } -> std::convertible_to<std::optional<ContactGeometry>>;
     };
 
-/// Optional: `narrow.clearance(memory)` [m]: how far apart the rings were, at least, when the last
-/// call found no contact. Until bodies have moved so far a pair is not asked again. Not const, it
-/// would be passed over in silence.
+/// Optional: `narrow.clearance(cache)` [m]: lower bound on the distance of the rings when the last
+/// call found no contact. The pair is skipped until the bodies can have moved that far. A non-const
+/// function would be ignored silently.
 template <class N>
-concept NarrowPhaseClearance = !requires(N& narrow, typename N::Memory& memory) {
-  narrow.clearance(memory);
-} || requires(const N& narrow, const typename N::Memory& memory) {
-  { narrow.clearance(memory) } -> std::convertible_to<double>;
+concept NarrowPhaseClearance = !requires(N& narrow, typename N::Cache& cache) {
+  narrow.clearance(cache);
+} || requires(const N& narrow, const typename N::Cache& cache) {
+  { narrow.clearance(cache) } -> std::convertible_to<double>;
 };
 
-/// A group of pairs that `narrow` finds the contacts of at once.
+/// A batch of pairs that `narrow` evaluates at once.
 template <class N>
-concept NarrowPhaseGroupCall = requires(const N& narrow, typename N::Group& group, const Ring a,
-                                        const Ring b, const typename N::Memory& memory,
+concept NarrowPhaseBatchCall = requires(const N& narrow, typename N::Batch& batch, const Ring a,
+                                        const Ring b, const typename N::Cache& cache,
                                         ContactGeometry& contact) {
-  requires N::Group::capacity >= 1 && N::Group::capacity <= 32;
-  { group.size() } -> std::convertible_to<std::size_t>;
-  { group.add(a, b, memory, contact) } -> std::convertible_to<bool>;
-  { narrow.find(group) } -> std::convertible_to<unsigned>;
-  group.clear();
-} && std::default_initializable<typename N::Group>;
+  requires N::Batch::capacity >= 1 && N::Batch::capacity <= 32;
+  { batch.size() } -> std::convertible_to<std::size_t>;
+  { batch.add(a, b, cache, contact) } -> std::convertible_to<bool>;
+  { narrow.find(batch) } -> std::convertible_to<unsigned>;
+  batch.clear();
+} && std::default_initializable<typename N::Batch>;
 
-/// Optional: a type `N::Group` of up to `Group::capacity` pairs, for a narrow phase that is faster
-/// with several at once. `group.add(a, b, memory, contact)` takes a pair in, or says no: then it is
-/// asked alone. `narrow.find(group)` puts the contacts of a full group where `contact` was and
-/// returns, bit by bit, who has one; the others are asked alone. `Group::Of` is N itself: who
-/// inherits from N and answers differently is not given N's group.
+/// Optional: a type `N::Batch` of up to `Batch::capacity` pairs, for a narrow phase that evaluates
+/// several pairs at once (SIMD). `batch.add(a, b, cache, contact)` adds a pair or returns false:
+/// then the pair is evaluated singly. `narrow.find(batch)` writes the contacts of a full batch to
+/// the `contact`s it was given and returns a bit mask of the pairs that have one; the others are
+/// evaluated singly. `Batch::Of` is N itself: a class that inherits from N does not get N's batch.
 template <class N>
-concept NarrowPhaseGroup = !requires { typename N::Group; } || (requires {
-  typename N::Group::Of;
-} && (!std::same_as<typename N::Group::Of, N> || NarrowPhaseGroupCall<N>));
+concept NarrowPhaseBatch = !requires { typename N::Batch; } || (requires {
+  typename N::Batch::Of;
+} && (!std::same_as<typename N::Batch::Of, N> || NarrowPhaseBatchCall<N>));
 
-}  // namespace clauses
+}  // namespace requirements
 
-/// Whether a narrow phase finds contacts in groups.
+/// Whether a narrow phase evaluates pairs in batches.
 template <class N>
-concept FindsGroups = requires { requires std::same_as<typename N::Group::Of, N>; };
+concept FindsBatches = requires { requires std::same_as<typename N::Batch::Of, N>; };
 
 /// A `NarrowPhase` turns two placed rings into contact geometry.
 template <class N>
-concept NarrowPhase = Policy<N> && clauses::NarrowPhaseMemory<N> && clauses::NarrowPhaseCall<N> &&
-                      clauses::NarrowPhaseClearance<N> && clauses::NarrowPhaseGroup<N>;
+concept NarrowPhase =
+    Policy<N> && requirements::NarrowPhaseCache<N> && requirements::NarrowPhaseCall<N> &&
+    requirements::NarrowPhaseClearance<N> && requirements::NarrowPhaseBatch<N>;
 
 template <class N>
 consteval bool check_narrow_phase() {
   check_policy<N>();
   static_assert(
-      clauses::NarrowPhaseMemory<N>,
-      "riprap: a NarrowPhase must have a type Memory that can be default-constructed and copied");
-  if constexpr (clauses::NarrowPhaseMemory<N>) {  // the others cannot be asked without it
-    static_assert(clauses::NarrowPhaseCall<N>,
+      requirements::NarrowPhaseCache<N>,
+      "riprap: a NarrowPhase must have a type Cache that can be default-constructed and copied");
+  if constexpr (requirements::NarrowPhaseCache<N>) {  // the others cannot be checked without it
+    static_assert(requirements::NarrowPhaseCall<N>,
                   "riprap: a NarrowPhase must have std::optional<ContactGeometry> operator()(Ring, "
-                  "Ring, Memory&) const");
+                  "Ring, Cache&) const");
     static_assert(
-        clauses::NarrowPhaseClearance<N>,
-        "riprap: clearance of a NarrowPhase must be double clearance(const Memory&) const");
+        requirements::NarrowPhaseClearance<N>,
+        "riprap: clearance of a NarrowPhase must be double clearance(const Cache&) const");
     static_assert(
-        clauses::NarrowPhaseGroup<N>,
-        "riprap: a Group of a NarrowPhase must have a type Of, capacity, size(), clear(), "
-        "bool add(Ring, Ring, const Memory&, ContactGeometry&), and the NarrowPhase "
-        "unsigned find(const Group&) const");
+        requirements::NarrowPhaseBatch<N>,
+        "riprap: a Batch of a NarrowPhase must have a type Of, capacity, size(), clear(), "
+        "bool add(Ring, Ring, const Cache&, ContactGeometry&), and the NarrowPhase "
+        "unsigned find(const Batch&) const");
   }
   return NarrowPhase<N>;
 }

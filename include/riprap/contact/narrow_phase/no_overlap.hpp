@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Nobody ever touches. The file to copy for a narrow phase of your own.
+/// No contacts. The file to copy for a narrow phase of your own.
 
 #include <riprap/contact/narrow_phase/concepts.hpp>
 
@@ -9,9 +9,9 @@ namespace riprap {
 
 /// Finds no contact and remembers nothing.
 struct NoOverlap {
-  struct Memory {};
+  struct Cache {};
 
-  [[nodiscard]] std::optional<ContactGeometry> operator()(Ring, Ring, Memory&) const {
+  [[nodiscard]] std::optional<ContactGeometry> operator()(Ring, Ring, Cache&) const {
     return std::nullopt;
   }
 };

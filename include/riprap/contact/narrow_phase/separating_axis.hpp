@@ -22,11 +22,11 @@ namespace riprap {
 /// the slope of its energy along the normal. The slope across is left out: that law is conservative
 /// with OverlapChord only. Elsewhere the chord is the overlap's extent.
 struct SeparatingAxis {
-  using Memory = SeparatingEdge;
+  using Cache = SeparatingEdge;
 
-  [[nodiscard]] std::optional<ContactGeometry> operator()(Ring a, Ring b, Memory& memory) const {
-    if (separated(a, b, memory)) return std::nullopt;
-    memory.gap = 0;
+  [[nodiscard]] std::optional<ContactGeometry> operator()(Ring a, Ring b, Cache& cache) const {
+    if (separated(a, b, cache)) return std::nullopt;
+    cache.gap = 0;
     // Of equal depths the first is taken: rings in an order of their own may be swapped.
     const bool swapped = internal::comes_first(b, a);
     if (swapped) std::swap(a, b);
@@ -40,7 +40,7 @@ struct SeparatingAxis {
   }
 
   /// Of the last call that found an edge between the rings; else nothing is known [m].
-  [[nodiscard]] double clearance(const Memory& memory) const { return memory.gap; }
+  [[nodiscard]] double clearance(const Cache& cache) const { return cache.gap; }
 };
 
 static_assert(NarrowPhase<SeparatingAxis>);

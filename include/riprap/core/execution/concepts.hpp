@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// The role of execution: who does the parts of a step that do not depend on each other.
+/// The role of execution: runs the independent tasks of a step, serially or in parallel.
 
 #include <algorithm>
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace riprap {
 
-namespace clauses {
+namespace requirements {
 
 /// Stands for the work of a step.
 struct ExecutedWork {
@@ -24,18 +24,18 @@ template <class E>
 concept ExecutionRun =
     requires(const E& execution, const std::size_t tasks) { execution.run(tasks, ExecutedWork{}); };
 
-}  // namespace clauses
+}  // namespace requirements
 
 /// An `Execution` runs tasks that do not touch each other's results. What they are does not depend
 /// on it, nor does the order in which their sums are added up: results are the same to the last
 /// bit for every model.
 template <class E>
-concept Execution = Policy<E> && clauses::ExecutionRun<E>;
+concept Execution = Policy<E> && requirements::ExecutionRun<E>;
 
 template <class E>
 consteval bool check_execution() {
   check_policy<E>();
-  static_assert(clauses::ExecutionRun<E>,
+  static_assert(requirements::ExecutionRun<E>,
                 "riprap: an Execution must have template <class Work> void run(std::size_t tasks, "
                 "Work&&) const");
   return Execution<E>;

@@ -27,7 +27,8 @@ struct Threads {
     std::exception_ptr error;
     std::size_t first_error = std::numeric_limits<std::size_t>::max();
     // Tasks are of uneven length, for some particles are checked and most are not. For a single one
-    // nobody is woken; else always as many threads, for OpenMP ends those that a run leaves out.
+    // no thread is woken; else always the same number, since OpenMP ends threads that a run leaves
+    // out.
 #pragma omp parallel for num_threads(count) schedule(dynamic) if (tasks > 1)
     for (std::size_t k = 0; k < tasks; ++k) {
       try {

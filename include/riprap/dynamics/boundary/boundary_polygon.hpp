@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// The region inside the ring of boundary particles: its area, how much of it is rock, and who has
-/// left it.
+/// The region inside the ring of boundary particles: its area, how much of it is rock, and which
+/// particles have left it.
 
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include <riprap/core/argsort.hpp>
 #include <riprap/core/errors.hpp>
-#include <riprap/core/order.hpp>
 #include <riprap/core/stress2.hpp>
 #include <riprap/dynamics/boundary/concepts.hpp>
 #include <riprap/geometry/cut.hpp>
@@ -54,7 +54,7 @@ namespace riprap {
 }
 
 /// The polygon through the centroids of the bodies of Motion::strain_field, in order of their
-/// direction from the centre. It need not be convex. Reads the particles whenever it is asked.
+/// direction from the centre. It need not be convex. Reads the particles at every call.
 class BoundaryPolygon {
  public:
   /// Throws InvalidInput for fewer than three.
@@ -75,7 +75,7 @@ class BoundaryPolygon {
       throw InvalidInput("a sample needs at least 3 boundary particles of Motion::strain_field; "
                          "the assembly has " +
                          std::to_string(found.size()));
-    for (const std::size_t k : rising_order(directions)) members_.push_back(found[k]);
+    for (const std::size_t k : argsort(directions)) members_.push_back(found[k]);
   }
 
   [[nodiscard]] const std::vector<BodyIndex>& members() const { return members_; }

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include <riprap/contact/plane.hpp>
+#include <riprap/contact/domain.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/core/policy.hpp>
 #include <riprap/core/vec2.hpp>
@@ -19,7 +19,7 @@
 
 namespace riprap {
 
-namespace clauses {
+namespace requirements {
 
 /// `boundary.drive(bodies, time_step)` sets velocities at the start of a step [s]; it must leave
 /// free bodies alone. It need not be const: a boundary may keep time or a servo's state.
@@ -35,8 +35,9 @@ concept SampleBoundaryRate = requires(B& boundary) { boundary.set_rate(0.0, 0.0)
 
 /// `boundary.region(particles)`: the sample as it stands, read at once: `.area()` [m^2], which
 /// shrinks at the sum of the two rates, `.semi_axes()` along axes 1 and 2 [m], `.solid_area()` of
-/// rock in it [m^2], `.lost()`, how many free particles have left it. Const: observers ask, too.
-/// Optional: `.centre()` [m], the point that its strain leaves where it is; without it, the origin.
+/// rock in it [m^2], `.lost()`, how many free particles have left it. Const: observers call it,
+/// too. Optional: `.centre()` [m], the point that its strain leaves where it is; without it, the
+/// origin.
 template <class B>
 concept SampleBoundaryRegion = requires(const B& boundary, const Particles& particles) {
   { boundary.region(particles).area() } -> std::convertible_to<double>;
@@ -46,8 +47,8 @@ concept SampleBoundaryRegion = requires(const B& boundary, const Particles& part
 };
 
 /// Optional: `boundary.enclose(assembly, particles)`, called once, before the first step; throws
-/// InvalidInput for an assembly that it cannot bound. Another signature would be passed over in
-/// silence.
+/// InvalidInput for an assembly that it cannot bound. Another signature would be ignored
+/// silently.
 template <class B>
 concept BoundaryEnclose = !requires {
   &B::enclose;
@@ -55,47 +56,48 @@ concept BoundaryEnclose = !requires {
   boundary.enclose(assembly, particles);
 };
 
-/// Optional: `boundary.plane()` and `boundary.drift(time_step)`, which brings the plane to the next
-/// poses, once a step: the simulation runs in a periodic cell.
+/// Optional: `boundary.domain()` and `boundary.drift(time_step)`, which brings the plane to the
+/// next poses, once a step: the simulation runs in a periodic cell.
 template <class B>
-concept BoundaryPlane = !requires(B& boundary) { boundary.plane(); } ||
-                        requires(B& boundary, const B& still, const double time_step) {
-                          { still.plane() } -> std::convertible_to<PeriodicPlane>;
-                          boundary.drift(time_step);
-                        };
+concept BoundaryDomain = !requires(B& boundary) { boundary.domain(); } ||
+                         requires(B& boundary, const B& still, const double time_step) {
+                           { still.domain() } -> std::convertible_to<PeriodicDomain>;
+                           boundary.drift(time_step);
+                         };
 
-}  // namespace clauses
+}  // namespace requirements
 
 /// A `Boundary` sets the velocities of driven bodies at the start of every step. The simulation
 /// books the work of the contacts on them.
 template <class B>
-concept Boundary = Policy<B> && clauses::BoundaryDrive<B> && clauses::BoundaryEnclose<B> &&
-                   clauses::BoundaryPlane<B>;
+concept Boundary = Policy<B> && requirements::BoundaryDrive<B> &&
+                   requirements::BoundaryEnclose<B> && requirements::BoundaryDomain<B>;
 
 template <class B>
 consteval bool check_boundary() {
   check_policy<B>();
-  static_assert(clauses::BoundaryDrive<B>,
+  static_assert(requirements::BoundaryDrive<B>,
                 "riprap: a Boundary must have void drive(std::vector<Body>&, double)");
-  static_assert(clauses::BoundaryEnclose<B>,
+  static_assert(requirements::BoundaryEnclose<B>,
                 "riprap: enclose of a Boundary must take (const Assembly&, const Particles&)");
-  static_assert(clauses::BoundaryPlane<B>,
-                "riprap: a Boundary with a plane() must have PeriodicPlane plane() const and void "
-                "drift(double)");
+  static_assert(
+      requirements::BoundaryDomain<B>,
+      "riprap: a Boundary with a domain() must have PeriodicDomain domain() const and void "
+      "drift(double)");
   return Boundary<B>;
 }
 
 /// A `SampleBoundary` encloses a sample and strains it: what a biaxial test needs.
 template <class B>
 concept SampleBoundary =
-    Boundary<B> && clauses::SampleBoundaryRate<B> && clauses::SampleBoundaryRegion<B>;
+    Boundary<B> && requirements::SampleBoundaryRate<B> && requirements::SampleBoundaryRegion<B>;
 
 template <class B>
 consteval bool check_sample_boundary() {
-  static_assert(clauses::SampleBoundaryRate<B>,
+  static_assert(requirements::SampleBoundaryRate<B>,
                 "riprap: the boundary of a BiaxialTest must have void set_rate(double, double), as "
                 "StrainField, RigidPlatens and PeriodicCell do");
-  static_assert(clauses::SampleBoundaryRegion<B>,
+  static_assert(requirements::SampleBoundaryRegion<B>,
                 "riprap: the boundary of a BiaxialTest must have region(const Particles&) const "
                 "with area(), semi_axes(), solid_area() and lost()");
   return SampleBoundary<B>;

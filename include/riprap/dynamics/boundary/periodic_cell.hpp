@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <riprap/contact/plane.hpp>
+#include <riprap/contact/domain.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/dynamics/boundary/concepts.hpp>
 #include <riprap/particle/assembly.hpp>
@@ -16,8 +16,8 @@ namespace riprap {
 /// One cell of a periodic assembly.
 class PeriodicRegion {
  public:
-  PeriodicRegion(const Particles& particles, const PeriodicPlane& plane)
-      : particles_(particles), period_(plane.period), centre_(plane.centre) {}
+  PeriodicRegion(const Particles& particles, const PeriodicDomain& domain)
+      : particles_(particles), period_(domain.period), centre_(domain.centre) {}
 
   [[nodiscard]] double area() const { return period_.prod(); }               ///< [m^2]
   [[nodiscard]] const Vec2& centre() const { return centre_; }               ///< [m]
@@ -40,9 +40,9 @@ class PeriodicCell {
   void set_rate(double axis_1, double axis_2) {
     require_finite("PeriodicCell: rate along axis 1", axis_1);
     require_finite("PeriodicCell: rate along axis 2", axis_2);
-    plane_.rate = {axis_1, axis_2};
+    domain_.rate = {axis_1, axis_2};
   }
-  [[nodiscard]] const Vec2& rate() const { return plane_.rate; }
+  [[nodiscard]] const Vec2& rate() const { return domain_.rate; }
 
   /// Throws InvalidInput if the assembly is not periodic, has a boundary of its own, or lies
   /// elsewhere than its cell.
@@ -51,8 +51,8 @@ class PeriodicCell {
       refuse_motion(particles, motion, "a PeriodicCell has no boundary bodies");
     require_positive("PeriodicCell: Assembly.period along axis 1", assembly.period.x());
     require_positive("PeriodicCell: Assembly.period along axis 2", assembly.period.y());
-    plane_.period = assembly.period;
-    plane_.centre = assembly.centre;
+    domain_.period = assembly.period;
+    domain_.centre = assembly.centre;
     const auto is_near = [&](const Body& body) {
       const Vec2 away = componentwise_abs(body.position - assembly.centre);
       return away.x() <= assembly.period.x() && away.y() <= assembly.period.y();
@@ -65,17 +65,17 @@ class PeriodicCell {
 
   void drive(std::vector<Body>&, double) const {}
 
-  [[nodiscard]] const PeriodicPlane& plane() const { return plane_; }
+  [[nodiscard]] const PeriodicDomain& domain() const { return domain_; }
   void drift(double time_step) {
-    plane_.period -= time_step * componentwise_product(plane_.rate, plane_.period);
+    domain_.period -= time_step * componentwise_product(domain_.rate, domain_.period);
   }
 
   [[nodiscard]] PeriodicRegion region(const Particles& particles) const {
-    return {particles, plane_};
+    return {particles, domain_};
   }
 
  private:
-  PeriodicPlane plane_;
+  PeriodicDomain domain_;
 };
 
 static_assert(SampleBoundary<PeriodicCell>);

@@ -10,7 +10,7 @@
 
 namespace riprap {
 
-namespace clauses {
+namespace requirements {
 
 /// `damping(body, applied)` -> Wrench. Given, not applied to the body, so that its work can be
 /// booked; const, for one damping serves all bodies.
@@ -19,17 +19,17 @@ concept DampingCall = requires(const D& damping, const Body& body, const Wrench&
   { damping(body, applied) } -> std::convertible_to<Wrench>;
 };
 
-}  // namespace clauses
+}  // namespace requirements
 
 /// A `Damping` gives the wrench to be added to the one applied to a free body. The simulation books
 /// its work.
 template <class D>
-concept Damping = Policy<D> && clauses::DampingCall<D>;
+concept Damping = Policy<D> && requirements::DampingCall<D>;
 
 template <class D>
 consteval bool check_damping() {
   check_policy<D>();
-  static_assert(clauses::DampingCall<D>,
+  static_assert(requirements::DampingCall<D>,
                 "riprap: a Damping must have Wrench operator()(const Body&, const Wrench&) const");
   return Damping<D>;
 }

@@ -10,7 +10,7 @@
 
 namespace riprap {
 
-namespace clauses {
+namespace requirements {
 
 /// `I::order`: global order of accuracy in the time step; a constant, which tests measure.
 template <class I>
@@ -19,12 +19,12 @@ concept IntegratorOrder = requires {
   typename std::integral_constant<int, int{I::order}>;
 };
 
-/// `I::needs_finish`: whether `finish` has work to do; a constant, so that a one-kick scheme pays
-/// nothing for the second.
+/// `I::has_second_kick`: whether `second_kick` has work to do; a constant, so that a one-kick
+/// scheme pays nothing for the second.
 template <class I>
-concept IntegratorNeedsFinish = requires {
-  *&I::needs_finish;
-  typename std::bool_constant<bool{I::needs_finish}>;
+concept IntegratorHasSecondKick = requires {
+  *&I::has_second_kick;
+  typename std::bool_constant<bool{I::has_second_kick}>;
 };
 
 /// `integrator.advance(body, wrench, time_step)`: from the wrench [N, N m] at the present pose to
@@ -35,62 +35,66 @@ concept IntegratorAdvance =
       integrator.advance(body, wrench, time_step);
     };
 
-/// `integrator.finish(body, wrench, time_step)`: the second kick, with the wrench at the new pose.
+/// `integrator.second_kick(body, wrench, time_step)`: the second kick, with the wrench at the new
+/// pose.
 template <class I>
-concept IntegratorFinish =
+concept IntegratorSecondKick =
     requires(const I& integrator, Body& body, const Wrench& wrench, const double time_step) {
-      integrator.finish(body, wrench, time_step);
+      integrator.second_kick(body, wrench, time_step);
     };
 
-/// Optional: `integrator.first_kick()` [-]. Not const, it would be passed over in silence, and work
-/// would be booked wrongly.
+/// Optional: `integrator.first_kick_fraction()` [-]. A non-const function would be ignored
+/// silently, and work would be accounted wrongly.
 template <class I>
-concept IntegratorFirstKick =
-    !requires(I& integrator) { integrator.first_kick(); } || requires(const I& integrator) {
-      { integrator.first_kick() } -> std::convertible_to<double>;
-    };
+concept IntegratorFirstKickFraction = !requires(I& integrator) {
+  integrator.first_kick_fraction();
+} || requires(const I& integrator) {
+  { integrator.first_kick_fraction() } -> std::convertible_to<double>;
+};
 
-}  // namespace clauses
+}  // namespace requirements
 
 /// An `Integrator` advances one free body. A step calls `advance` with the wrench at the present
-/// pose, then forces are evaluated anew, then `finish` is called with the new wrench (left out
-/// where `needs_finish` is false). Both must use `mass_scaling * mass` and `mass_scaling *
+/// pose, then forces are evaluated anew, then `second_kick` is called with the new wrench (left out
+/// where `has_second_kick` is false). Both must use `mass_scaling * mass` and `mass_scaling *
 /// inertia`. Each does its work over its own share of the step: in either call kinetic energy must
 /// change by exactly the work of that call's wrench, force and moment, over the mean of the
 /// velocities before and after, times the share. The energy ledger books it so.
 ///
-/// Optional: `integrator.first_kick()` [-], the share of `advance`, 0 to 1; `finish` has the rest.
-/// Without it: one half where `needs_finish`, else all.
+/// Optional: `integrator.first_kick_fraction()` [-], the share of `advance`, 0 to 1; `second_kick`
+/// has the rest. Without it: one half where `has_second_kick`, else all.
 template <class I>
-concept Integrator = Policy<I> && clauses::IntegratorOrder<I> &&
-                     clauses::IntegratorNeedsFinish<I> && clauses::IntegratorAdvance<I> &&
-                     clauses::IntegratorFinish<I> && clauses::IntegratorFirstKick<I>;
+concept Integrator =
+    Policy<I> && requirements::IntegratorOrder<I> && requirements::IntegratorHasSecondKick<I> &&
+    requirements::IntegratorAdvance<I> && requirements::IntegratorSecondKick<I> &&
+    requirements::IntegratorFirstKickFraction<I>;
 
 template <class I>
 consteval bool check_integrator() {
   check_policy<I>();
-  static_assert(clauses::IntegratorOrder<I>,
+  static_assert(requirements::IntegratorOrder<I>,
                 "riprap: an Integrator must have static constexpr int order");
-  static_assert(clauses::IntegratorNeedsFinish<I>,
-                "riprap: an Integrator must have static constexpr bool needs_finish");
+  static_assert(requirements::IntegratorHasSecondKick<I>,
+                "riprap: an Integrator must have static constexpr bool has_second_kick");
   static_assert(
-      clauses::IntegratorAdvance<I>,
+      requirements::IntegratorAdvance<I>,
       "riprap: an Integrator must have void advance(Body&, const Wrench&, double time_step) const");
+  static_assert(requirements::IntegratorSecondKick<I>,
+                "riprap: an Integrator must have void second_kick(Body&, const Wrench&, double "
+                "time_step) const");
   static_assert(
-      clauses::IntegratorFinish<I>,
-      "riprap: an Integrator must have void finish(Body&, const Wrench&, double time_step) const");
-  static_assert(clauses::IntegratorFirstKick<I>,
-                "riprap: an Integrator's first_kick must be double first_kick() const");
+      requirements::IntegratorFirstKickFraction<I>,
+      "riprap: an Integrator's first_kick_fraction must be double first_kick_fraction() const");
   return Integrator<I>;
 }
 
-/// Share of the step's impulse that `advance` gives [-]; `finish` gives the rest.
+/// Share of the step's impulse that `advance` gives [-]; `second_kick` gives the rest.
 template <Integrator I>
-[[nodiscard]] double first_kick(const I& integrator) {
-  if constexpr (requires { integrator.first_kick(); })
-    return integrator.first_kick();
+[[nodiscard]] double first_kick_fraction(const I& integrator) {
+  if constexpr (requires { integrator.first_kick_fraction(); })
+    return integrator.first_kick_fraction();
   else
-    return I::needs_finish ? 0.5 : 1;
+    return I::has_second_kick ? 0.5 : 1;
 }
 
 /// Moves a body at its present velocity: the drift of every scheme, and all that a driven body

@@ -12,13 +12,13 @@ namespace riprap {
 /// stopped is lost.
 struct Frozen {
   static constexpr int order = 0;
-  static constexpr bool needs_finish = false;
+  static constexpr bool has_second_kick = false;
 
   void advance(Body& body, const Wrench&, double) const {
     body.velocity = Vec2{0, 0};
     body.angular_velocity = 0;
   }
-  void finish(Body&, const Wrench&, double) const {}
+  void second_kick(Body&, const Wrench&, double) const {}
 };
 
 static_assert(Integrator<Frozen>);

@@ -15,22 +15,22 @@ namespace riprap {
 template <Integrator... Integrators>
 struct IntegratorChoice {
   static constexpr int order = std::min({int{Integrators::order}...});
-  static constexpr bool needs_finish = (Integrators::needs_finish || ...);
+  static constexpr bool has_second_kick = (Integrators::has_second_kick || ...);
 
   std::variant<Integrators...> chosen;
 
   void advance(Body& body, const Wrench& wrench, double time_step) const {
     std::visit([&](const auto& i) { i.advance(body, wrench, time_step); }, chosen);
   }
-  void finish(Body& body, const Wrench& wrench, double time_step) const {
+  void second_kick(Body& body, const Wrench& wrench, double time_step) const {
     std::visit(
         [&]<class I>(const I& i) {
-          if constexpr (I::needs_finish) i.finish(body, wrench, time_step);
+          if constexpr (I::has_second_kick) i.second_kick(body, wrench, time_step);
         },
         chosen);
   }
-  [[nodiscard]] double first_kick() const {
-    return std::visit([](const auto& i) { return riprap::first_kick(i); }, chosen);
+  [[nodiscard]] double first_kick_fraction() const {
+    return std::visit([](const auto& i) { return riprap::first_kick_fraction(i); }, chosen);
   }
   void validate() const {
     std::visit([](const auto& i) { riprap::validate(i); }, chosen);

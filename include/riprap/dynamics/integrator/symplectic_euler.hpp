@@ -11,13 +11,13 @@ namespace riprap {
 /// half a step earlier it is the leapfrog scheme, of second order.
 struct SymplecticEuler {
   static constexpr int order = 1;
-  static constexpr bool needs_finish = false;
+  static constexpr bool has_second_kick = false;
 
   void advance(Body& body, const Wrench& wrench, double time_step) const {
     kick(body, wrench, time_step);
     drift(body, time_step);
   }
-  void finish(Body&, const Wrench&, double) const {}
+  void second_kick(Body&, const Wrench&, double) const {}
 };
 
 static_assert(Integrator<SymplecticEuler>);

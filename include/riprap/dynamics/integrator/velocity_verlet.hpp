@@ -10,13 +10,13 @@ namespace riprap {
 /// Half a kick, a drift, half a kick with the new forces (Swope et al. 1982).
 struct VelocityVerlet {
   static constexpr int order = 2;
-  static constexpr bool needs_finish = true;
+  static constexpr bool has_second_kick = true;
 
   void advance(Body& body, const Wrench& wrench, double time_step) const {
     kick(body, wrench, 0.5 * time_step);
     drift(body, time_step);
   }
-  void finish(Body& body, const Wrench& wrench, double time_step) const {
+  void second_kick(Body& body, const Wrench& wrench, double time_step) const {
     kick(body, wrench, 0.5 * time_step);
   }
 };

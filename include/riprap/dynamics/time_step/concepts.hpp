@@ -9,7 +9,7 @@
 
 namespace riprap {
 
-namespace clauses {
+namespace requirements {
 
 /// `rule.time_step(mass, stiffness)` [s]: from the smallest intact particle's mass [kg] and the
 /// contact law's peak stiffness [N/m], which together bound the highest frequency.
@@ -20,26 +20,27 @@ concept TimeStepRuleStep = requires(const T& rule, const double mass, const doub
 
 /// `rule.mass_scaling(mass, smallest)` [-], >= 1: factor on mass and inertia, in the equations of
 /// motion only, of a piece of `mass` where `smallest` is the smallest intact particle's. Pieces are
-/// born lighter than what the step was chosen for; whoever chose it knows what to do about them.
+/// lighter than the particle that the step was chosen for; the rule scales their mass.
 template <class T>
 concept TimeStepRuleScaling = requires(const T& rule, const double mass, const double smallest) {
   { rule.mass_scaling(mass, smallest) } -> std::convertible_to<double>;
 };
 
-}  // namespace clauses
+}  // namespace requirements
 
 /// A `TimeStepRule` chooses the time step and how light a body may be in the equations of motion.
 template <class T>
-concept TimeStepRule = Policy<T> && clauses::TimeStepRuleStep<T> && clauses::TimeStepRuleScaling<T>;
+concept TimeStepRule =
+    Policy<T> && requirements::TimeStepRuleStep<T> && requirements::TimeStepRuleScaling<T>;
 
 template <class T>
 consteval bool check_time_step() {
   check_policy<T>();
   static_assert(
-      clauses::TimeStepRuleStep<T>,
+      requirements::TimeStepRuleStep<T>,
       "riprap: a TimeStepRule must have double time_step(double mass, double stiffness) const");
   static_assert(
-      clauses::TimeStepRuleScaling<T>,
+      requirements::TimeStepRuleScaling<T>,
       "riprap: a TimeStepRule must have double mass_scaling(double mass, double smallest) const");
   return TimeStepRule<T>;
 }

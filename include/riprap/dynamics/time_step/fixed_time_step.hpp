@@ -9,7 +9,7 @@
 namespace riprap {
 
 /// The same step for every sample, whatever its masses and stiffness; stability is the user's
-/// affair.
+/// responsibility.
 struct FixedTimeStep {
   double seconds = 5e-7;  ///< [s]; MassFloor gives 8.5e-7 for squares of 5 mm, 16 mm thick
 

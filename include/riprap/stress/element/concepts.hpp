@@ -15,7 +15,7 @@ namespace riprap {
 /// Strain (e11, e22, 2 e12), tension positive, from the six nodal displacements (u1, v1, u2, ...).
 using StrainDisplacement = Eigen::Matrix<double, 3, 6>;
 
-namespace clauses {
+namespace requirements {
 
 /// `element.strain_displacement(corners)` -> StrainDisplacement [1/m], corners counter-clockwise.
 /// That type and no other: an expression of Eigen would refer to what is gone.
@@ -31,19 +31,20 @@ concept ElementMass = requires(const E& element, const std::array<Vec2, 3>& corn
   { element.mass(corners) } -> std::same_as<Eigen::Matrix3d>;
 };
 
-}  // namespace clauses
+}  // namespace requirements
 
 /// An `Element` is a triangle with three nodes and one strain.
 template <class E>
-concept Element = Policy<E> && clauses::ElementStrain<E> && clauses::ElementMass<E>;
+concept Element = Policy<E> && requirements::ElementStrain<E> && requirements::ElementMass<E>;
 
 template <class E>
 consteval bool check_element() {
   check_policy<E>();
-  static_assert(clauses::ElementStrain<E>, "riprap: an Element must have StrainDisplacement "
-                                           "strain_displacement(const std::array<Vec2, 3>&) const");
+  static_assert(requirements::ElementStrain<E>,
+                "riprap: an Element must have StrainDisplacement "
+                "strain_displacement(const std::array<Vec2, 3>&) const");
   static_assert(
-      clauses::ElementMass<E>,
+      requirements::ElementMass<E>,
       "riprap: an Element must have Eigen::Matrix3d mass(const std::array<Vec2, 3>&) const");
   return Element<E>;
 }

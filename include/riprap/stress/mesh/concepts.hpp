@@ -10,7 +10,7 @@
 
 namespace riprap {
 
-namespace clauses {
+namespace requirements {
 
 /// `mesher(ring)` -> Mesh. `ring` is in the body's own frame, centroid at the origin; the triangles
 /// cover it exactly, and boundary nodes divide each edge evenly. Const: equal rings get equal
@@ -20,16 +20,17 @@ concept MesherCall = requires(const M& mesher, const Ring ring) {
   { mesher(ring) } -> std::convertible_to<Mesh>;
 };
 
-}  // namespace clauses
+}  // namespace requirements
 
 /// A `Mesher` cuts a convex polygon into triangles.
 template <class M>
-concept Mesher = Policy<M> && clauses::MesherCall<M>;
+concept Mesher = Policy<M> && requirements::MesherCall<M>;
 
 template <class M>
 consteval bool check_mesher() {
   check_policy<M>();
-  static_assert(clauses::MesherCall<M>, "riprap: a Mesher must have Mesh operator()(Ring) const");
+  static_assert(requirements::MesherCall<M>,
+                "riprap: a Mesher must have Mesh operator()(Ring) const");
   return Mesher<M>;
 }
 

@@ -134,7 +134,7 @@ struct UniformMesher {
     }
   };
   // The points of a row that may lie inside, and those that surely do, whatever round-off says:
-  // only the few between have to be asked, which takes a fifth off an operator.
+  // only the few between have to be tested.
   struct Row {
     Range maybe, surely;
   };

@@ -12,7 +12,7 @@
 
 namespace riprap {
 
-namespace clauses {
+namespace requirements {
 
 /// `plane.elasticity(rock)` -> 3x3 matrix [Pa] from strain (e11, e22, 2 e12) to stress. That type
 /// and no other: an expression of Eigen would refer to what is gone.
@@ -28,18 +28,19 @@ concept PlaneStateStress = requires(const P& plane, const Rock& rock, const Stre
   { plane.out_of_plane_stress(rock, stress) } -> std::convertible_to<double>;
 };
 
-}  // namespace clauses
+}  // namespace requirements
 
 /// A `PlaneState` gives the elasticity matrix of the plane.
 template <class P>
-concept PlaneState = Policy<P> && clauses::PlaneStateElasticity<P> && clauses::PlaneStateStress<P>;
+concept PlaneState =
+    Policy<P> && requirements::PlaneStateElasticity<P> && requirements::PlaneStateStress<P>;
 
 template <class P>
 consteval bool check_plane_state() {
   check_policy<P>();
-  static_assert(clauses::PlaneStateElasticity<P>,
+  static_assert(requirements::PlaneStateElasticity<P>,
                 "riprap: a PlaneState must have Eigen::Matrix3d elasticity(const Rock&) const");
-  static_assert(clauses::PlaneStateStress<P>,
+  static_assert(requirements::PlaneStateStress<P>,
                 "riprap: a PlaneState must have double out_of_plane_stress(const Rock&, const "
                 "Stress2&) const");
   return PlaneState<P>;

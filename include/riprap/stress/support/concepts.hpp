@@ -12,7 +12,7 @@
 
 namespace riprap {
 
-namespace clauses {
+namespace requirements {
 
 /// `S::needs_flexibility`: whether the operator must know displacements of the boundary, which cost
 /// memory; a constant, for it holds for all particles.
@@ -22,25 +22,28 @@ concept SupportFlexibility = requires {
   typename std::bool_constant<bool{S::needs_flexibility}>;
 };
 
-/// `support.settle(loads, op)` changes forces in place: supports become reactions. Const, for one
-/// support serves all particles.
+/// `support.apply_reactions(loads, op)` changes forces in place: supports become reactions. Const,
+/// for one support serves all particles.
 template <class S>
-concept SupportSettle = requires(const S& support, const std::span<BoundaryLoad> loads,
-                                 const InfluenceOperator& op) { support.settle(loads, op); };
+concept SupportSettle =
+    requires(const S& support, const std::span<BoundaryLoad> loads, const InfluenceOperator& op) {
+      support.apply_reactions(loads, op);
+    };
 
-}  // namespace clauses
+}  // namespace requirements
 
 /// A `Support` turns the contact loads of one particle into the loads that stress it.
 template <class S>
-concept Support = Policy<S> && clauses::SupportFlexibility<S> && clauses::SupportSettle<S>;
+concept Support =
+    Policy<S> && requirements::SupportFlexibility<S> && requirements::SupportSettle<S>;
 
 template <class S>
 consteval bool check_support() {
   check_policy<S>();
-  static_assert(clauses::SupportFlexibility<S>,
+  static_assert(requirements::SupportFlexibility<S>,
                 "riprap: a Support must have static constexpr bool needs_flexibility");
-  static_assert(clauses::SupportSettle<S>,
-                "riprap: a Support must have void settle(std::span<BoundaryLoad>, const "
+  static_assert(requirements::SupportSettle<S>,
+                "riprap: a Support must have void apply_reactions(std::span<BoundaryLoad>, const "
                 "InfluenceOperator&) const");
   return Support<S>;
 }

@@ -12,7 +12,7 @@ namespace riprap {
 struct InertiaRelief {
   static constexpr bool needs_flexibility = false;
 
-  void settle(std::span<BoundaryLoad>, const InfluenceOperator&) const {}
+  void apply_reactions(std::span<BoundaryLoad>, const InfluenceOperator&) const {}
 };
 
 static_assert(Support<InertiaRelief>);

@@ -18,8 +18,8 @@ struct SupportChoice {
 
   std::variant<Supports...> chosen;
 
-  void settle(std::span<BoundaryLoad> loads, const InfluenceOperator& op) const {
-    std::visit([&](const auto& support) { support.settle(loads, op); }, chosen);
+  void apply_reactions(std::span<BoundaryLoad> loads, const InfluenceOperator& op) const {
+    std::visit([&](const auto& support) { support.apply_reactions(loads, op); }, chosen);
   }
   void validate() const {
     std::visit([](const auto& support) { riprap::validate(support); }, chosen);

@@ -23,7 +23,7 @@ struct TwoPinnedContacts {
 
   Choice choice = Choice::largest_normal_forces;
 
-  void settle(std::span<BoundaryLoad> loads, const InfluenceOperator& op) const {
+  void apply_reactions(std::span<BoundaryLoad> loads, const InfluenceOperator& op) const {
     const auto [first, second] = pins(loads, op.mesh());
     for (const std::size_t i : {first, second})
       if (i < loads.size()) loads[i].force = Vec2{0, 0};

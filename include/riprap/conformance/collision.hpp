@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// A collision with rubbing, as a contact law sees it: what the axioms of the law are checked on.
+
+#include <cmath>
+#include <numbers>
+
+#include <riprap/contact/law/concepts.hpp>
+
+namespace riprap {
+
+/// The contacts for which a law is meant, and over which its axioms are checked.
+struct ContactRange {
+  double deepest = 1e-4;         ///< penetration [m]
+  double longest_chord = 0.016;  ///< [m]
+  double effective_mass = 4e-3;  ///< [kg]
+};
+
+namespace internal {
+
+/// One instant of a collision.
+struct CollisionInstant {
+  ContactGeometry geometry;
+  ContactMotion motion;
+};
+
+inline constexpr int collision_steps = 4000;
+
+/// Two faces of the longest chord, or the right-angled corner of one body in a face of the other.
+[[nodiscard]] inline ContactGeometry contact_of(const ContactRange& range, bool corner,
+                                                double depth) {
+  const double chord = corner ? 2 * depth : range.longest_chord;
+  return {.normal = {0.6, 0.8},
+          .point = {range.longest_chord, -range.longest_chord},
+          .depth = depth,
+          .area = corner ? depth * depth : chord * depth,
+          .chord = chord};
+}
+
+/// A collision: in and out again along the normal, while the contact is rubbed to and fro so far
+/// that it slips. Velocities are the differences of places, so that work is known exactly.
+/// @param duration of the collision [s]
+template <class Visit>
+void visit_collision(const ContactRange& range, bool corner, double duration, Visit&& visit) {
+  using std::numbers::pi;
+  constexpr int n = collision_steps;
+  const double time_step = duration / n;
+  const auto depth = [&](int i) { return range.deepest * std::pow(std::sin(pi * i / n), 2); };
+  const auto slide = [&](int i) { return 3 * range.deepest * std::sin(7 * pi * i / n); };
+  for (int i = 1; i <= n; ++i)
+    visit(CollisionInstant{contact_of(range, corner, depth(i)),
+                           {.normal_velocity = (depth(i - 1) - depth(i)) / time_step,
+                            .tangential_velocity = (slide(i) - slide(i - 1)) / time_step,
+                            .time_step = time_step,
+                            .effective_mass = range.effective_mass}});
+}
+
+/// As long as a free collision with the law's stiffest spring: dashpots matter as they do in use.
+template <ContactLaw Law>
+[[nodiscard]] double collision_time(const Law& law, const ContactRange& range) {
+  return std::numbers::pi * std::sqrt(range.effective_mass / law.peak_stiffness());
+}
+
+}  // namespace internal
+}  // namespace riprap

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// The axioms of the failure criterion.
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include <riprap/breakage/element_failure.hpp>
+#include <riprap/conformance/units.hpp>
+#include <riprap/conformance/violations.hpp>
+
+namespace riprap {
+/// Which axioms a failure criterion breaks for minor stresses from its tensile strength to ten
+/// times that in compression. A criterion that never fails has none; where the major stress at
+/// failure is infinite (failure in tension only) those about the curve are left out.
+/// @param uniaxial the compressive strength that it is meant to have [Pa]; NaN: none in particular
+template <FailureCriterion C>
+[[nodiscard]] Violations
+criterion_violations(const C& criterion,
+                     double uniaxial = std::numeric_limits<double>::quiet_NaN()) {
+  AxiomCheck check;
+  if (never_fails<C>) return {};
+  const double tensile = criterion.tensile_strength();
+  check.at_least("the tensile strength is above zero", tensile, std::numeric_limits<double>::min());
+  check.equal("at the tensile strength the safety factor is 1",
+              evaluate(criterion, Stress2{0, -tensile, 0}).safety_factor, 1, 1e-12);
+  if (!std::isnan(uniaxial))
+    check.equal("at the uniaxial compressive strength the safety factor is 1",
+                evaluate(criterion, Stress2{uniaxial, 0, 0}).safety_factor, 1, 1e-6);
+
+  constexpr int samples = 440;
+  double minor = -tensile;
+  double limit = criterion.major_stress_at_failure(minor);
+  for (int i = 1; i <= samples; ++i) {
+    const double next = -tensile + 11 * tensile * i / samples;
+    const double next_limit = criterion.major_stress_at_failure(next);
+    check.at("sigma_3", next);
+    check.holds("the major stress at failure is a number", !std::isnan(next_limit));
+    if (std::isinf(limit) && std::isinf(next_limit)) continue;
+    const double round_off = 1e-14 * (std::abs(next_limit) + tensile);
+    check.at_least("the curve rises at least as fast as sigma_3", next_limit - limit,
+                   next - minor - round_off);
+    check.at_least("equal stresses fail in tension only: major stress at failure", next_limit,
+                   next - round_off);
+    // A slope by difference over 1e-6 of the stress has half the digits.
+    const double angle = friction_angle(criterion, next);
+    check.at_least("the friction angle is not negative", angle, -1e-6);
+    check.at_most("the friction angle is below a right one", angle,
+                  std::nextafter(0.5 * std::numbers::pi, 0.0));
+    minor = next;
+    limit = next_limit;
+  }
+  return std::move(check).violations();
+}
+
+/// Which results change, beyond their unit, when the same criterion is written in other units.
+/// @param other `criterion` with its parameters in `units`
+template <FailureCriterion C>
+[[nodiscard]] Violations criterion_unit_violations(const C& criterion, const C& other,
+                                                   const Units& units = {}) {
+  AxiomCheck check;
+  if (never_fails<C>) return {};
+  const double tensile = criterion.tensile_strength();
+  check.equal("the tensile strength is the same in other units",
+              other.tensile_strength() / units.stress(), tensile, 1e-12 * tensile);
+  for (int i = 1; i <= 100; ++i) {
+    const double minor = tensile * (0.1 * i - 1);
+    check.at("sigma_3", minor);
+    const double limit = criterion.major_stress_at_failure(minor);
+    check.equal("the major stress at failure is the same in other units",
+                other.major_stress_at_failure(units.stress() * minor) / units.stress(), limit,
+                1e-12 * std::abs(limit));
+    if (std::isfinite(limit))
+      check.equal("the friction angle is the same in other units",
+                  friction_angle(other, units.stress() * minor), friction_angle(criterion, minor),
+                  1e-6);
+  }
+  return std::move(check).violations();
+}
+
+}  // namespace riprap

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// The axioms of the line fit.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <riprap/breakage/line_fit/concepts.hpp>
+#include <riprap/conformance/violations.hpp>
+#include <riprap/core/random.hpp>
+
+namespace riprap {
+namespace internal {
+
+/// Failed elements and the failure planes of the first one.
+struct FailedCloud {
+  std::vector<WeightedPoint> points;
+  FailurePlanes planes;
+
+  /// The same in a plane that was turned, drawn larger and shifted, in this order.
+  [[nodiscard]] FailedCloud moved(const Rotation& turn, double scale, const Vec2& shift) const {
+    FailedCloud out = *this;
+    for (WeightedPoint& p : out.points) p.position = scale * (turn * p.position) + shift;
+    for (Vec2& direction : out.planes.directions) direction = turn * direction;
+    return out;
+  }
+  template <LineFit F>
+  [[nodiscard]] std::optional<Line> line(const F& fit) const {
+    return fit(std::span<const WeightedPoint>(points), planes);
+  }
+};
+
+/// Clouds of about 1 m with random weights and failure planes.
+/// @param slimness width over length: 0 for points on a straight line
+[[nodiscard]] inline std::vector<FailedCloud> failed_clouds(double slimness) {
+  Random random(1);
+  std::vector<FailedCloud> clouds;
+  for (int i = 0; i < 50; ++i) {
+    FailedCloud cloud;
+    const Rotation along = Rotation::from_angle(random.uniform(0, 3));
+    for (unsigned n = random.uniform_integer(3, 40); n > 0; --n)
+      cloud.points.push_back(
+          {along * Vec2{random.uniform(-0.5, 0.5), slimness * random.uniform(-0.5, 0.5)},
+           random.uniform(1, 5)});
+    const Rotation plane = Rotation::from_angle(random.uniform(0, 3));
+    cloud.planes.count = random.uniform_integer(1, 2);
+    cloud.planes.directions = {plane * Vec2{1, 0}, plane * Vec2{0.6, 0.8}};
+    clouds.push_back(cloud);
+  }
+  return clouds;
+}
+
+/// That two lines through clouds of about `size` [m] are one, whichever way they point.
+inline void check_same_line(std::string_view axiom, const std::optional<Line>& found,
+                            const std::optional<Line>& expected, double size, AxiomCheck& check) {
+  check.equal(axiom, found.has_value(), expected.has_value(), 0);
+  if (!found || !expected) return;
+  // Sums over tens of points round off by 1e-14; a cloud that is nearly round turns its axis more.
+  check.equal(axiom, cross(found->direction, expected->direction), 0, 1e-10);
+  check.equal(axiom, expected->left_distance(found->point), 0, 1e-10 * size);
+}
+
+template <LineFit F>
+void check_line(const F& fit, const FailedCloud& cloud, AxiomCheck& check) {
+  const std::optional<Line> line = cloud.line(fit);
+  if (line) {
+    check.equal("the direction is a unit vector", line->direction.norm(), 1, 1e-12);
+    double left = -1;
+    double right = -1;
+    for (const WeightedPoint& p : cloud.points) {
+      left = std::max(left, line->left_distance(p.position));
+      right = std::max(right, -line->left_distance(p.position));
+    }
+    check.at_least("the line runs among the points: reach on its other side", std::min(left, right),
+                   -1e-12);
+  }
+  const Vec2 shift{40, -70};
+  auto moved = cloud.moved({}, 1, shift).line(fit);
+  if (moved) moved->point -= shift;
+  check_same_line("shifted points have the shifted line", moved, line, 100, check);
+
+  auto larger = cloud.moved({}, 1e3, {0, 0}).line(fit);
+  if (larger) larger->point /= 1e3;
+  check_same_line("in other units of length the line is the same", larger, line, 1, check);
+
+  FailedCloud other = cloud;
+  for (WeightedPoint& p : other.points) p.weight *= 3;
+  check_same_line("only the ratios of the weights matter", other.line(fit), line, 1, check);
+
+  other = cloud;
+  std::reverse(other.points.begin(), other.points.end());
+  check_same_line("the order of the points does not matter", other.line(fit), line, 1, check);
+}
+
+}  // namespace internal
+
+/// Which axioms a line fit breaks.
+template <LineFit F>
+[[nodiscard]] Violations line_fit_violations(const F& fit) {
+  AxiomCheck check;
+  for (const internal::FailedCloud& cloud : internal::failed_clouds(0.3))
+    internal::check_line(fit, cloud, check);
+  return std::move(check).violations();
+}
+
+/// For fits that take their direction from the points: points on a straight line give that line, or
+/// none.
+template <LineFit F>
+[[nodiscard]] Violations line_fit_collinear_violations(const F& fit) {
+  AxiomCheck check;
+  for (const internal::FailedCloud& cloud : internal::failed_clouds(0)) {
+    const std::optional<Line> line = cloud.line(fit);
+    if (!line) continue;
+    for (const WeightedPoint& p : cloud.points)
+      check.equal("points on a straight line lie on their line", line->left_distance(p.position), 0,
+                  1e-12);
+  }
+  return std::move(check).violations();
+}
+
+/// For fits that know no axes: points and failure planes turned together have the turned line.
+template <LineFit F>
+[[nodiscard]] Violations line_fit_rotation_violations(const F& fit) {
+  AxiomCheck check;
+  const Rotation turn = Rotation::from_angle(0.7);
+  for (const internal::FailedCloud& cloud : internal::failed_clouds(0.3)) {
+    auto expected = cloud.line(fit);
+    if (expected) expected = Line{turn * expected->point, turn * expected->direction};
+    internal::check_same_line("turned points have the turned line",
+                              cloud.moved(turn, 1, {0, 0}).line(fit), expected, 1, check);
+  }
+  return std::move(check).violations();
+}
+
+}  // namespace riprap

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// How far particles have come since a moment, across their breaks.
+
+#include <cstddef>
+#include <vector>
+
+#include <riprap/experiment/stage.hpp>
+#include <riprap/particle/particles.hpp>
+#include <riprap/simulation/break_event.hpp>
+
+namespace riprap {
+
+/// From where to where the centroid of a particle has come [m].
+struct Move {
+  Vec2 from{0, 0};
+  Vec2 to{0, 0};
+  bool is_free = true;
+};
+
+/// An observer of BiaxialTest that follows all particles there are at `begin`. Of one that breaks
+/// it follows all pieces: together they have one centroid. Platens do not count.
+class IncrementalDisplacement {
+ public:
+  /// From now on, from here.
+  void begin(const Particles& particles) {
+    starts_.clear();
+    start_of_.clear();
+    for (BodyIndex i = 0; i < particles.size(); ++i) {
+      if (particles.body(i).motion == Motion::platen) continue;
+      start_of(particles.ancestry(i).id) = starts_.size();
+      starts_.push_back({particles.body(i).position, {0, 0}, particles.body(i).is_free()});
+    }
+  }
+
+  template <class Sim>
+  void record_break(const BiaxialView<Sim>& /*view*/, const BreakEvent& event) {
+    const std::size_t start = start_of(event.particle.id);
+    for (const ParticleId piece : event.pieces) start_of(piece) = start;
+  }
+
+  /// Of all particles there were at `begin`, in the order of the bodies then.
+  [[nodiscard]] std::vector<Move> moves(const Particles& particles) const {
+    std::vector<Move> out = starts_;
+    std::vector<double> areas(out.size(), 0);
+    for (BodyIndex i = 0; i < particles.size(); ++i) {
+      const ParticleId id = particles.ancestry(i).id;
+      if (id >= start_of_.size() || start_of_[id] == unknown) continue;
+      const double area = particles.shape(i).area;
+      out[start_of_[id]].to += area * particles.body(i).position;
+      areas[start_of_[id]] += area;
+    }
+    for (std::size_t k = 0; k < out.size(); ++k) out[k].to /= areas[k];
+    return out;
+  }
+
+ private:
+  static constexpr std::size_t unknown = static_cast<std::size_t>(-1);
+
+  [[nodiscard]] std::size_t& start_of(ParticleId id) {
+    if (start_of_.size() <= id) start_of_.resize(id + 1, unknown);
+    return start_of_[id];
+  }
+
+  std::vector<Move> starts_;           // without end positions
+  std::vector<std::size_t> start_of_;  // by particle id: its place in starts_
+};
+
+}  // namespace riprap

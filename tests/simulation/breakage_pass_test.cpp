@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <riprap/simulation/breakage_pass.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <riprap/breakage/splitter/no_split.hpp>
+#include <riprap/breakage/trigger/weibull_strength.hpp>
+#include <riprap/dynamics/boundary/no_boundary.hpp>
+#include <riprap/dynamics/integrator/velocity_verlet.hpp>
+#include <riprap/simulation/simulation.hpp>
+#include <riprap/stress/support/two_pinned_contacts.hpp>
+#include <support/near.hpp>
+
+using namespace riprap;
+using namespace riprap::test;
+
+namespace {
+
+// Counts how often it is asked, and refuses.
+struct CountingSplitter {
+  int* asked;
+  std::optional<CutRings> operator()(Ring, const Line&, double) const {
+    ++*asked;
+    return std::nullopt;
+  }
+};
+
+const ConvexPolygon square{{0, 0}, {0.016, 0}, {0.016, 0.016}, {0, 0.016}};
+const ConvexPolygon platen{{-0.02, 0}, {0.04, 0}, {0.04, 0.016}, {-0.02, 0.016}};
+
+// Two squares crushed between platens, the one that was added last on the left.
+const Assembly crushed{.particles = {{square.moved({}, {0.02, 0})},
+                                     {platen.moved({}, {0, 0.0150}), Motion::prescribed},
+                                     {platen.moved({}, {0, -0.0150}), Motion::prescribed},
+                                     {square.moved({}, {-0.015, 0})}}};
+
+}  // namespace
+
+TEST_CASE("every free particle that is overloaded has a crack") {
+  const auto model = Model{};
+  const Simulation sim{model, crushed, Rock{}};
+  ParticleStress<decltype(model.stress_model)> stresses(model.stress_model, Rock{});
+  BreakagePass search;
+  const auto& cracks =
+      search.find(model.breakage_model, sim.particles(), sim.contacts(), stresses, sim.mean_area());
+  REQUIRE(cracks.size() == 2);
+  CHECK(cracks[0].first == 0);
+  CHECK(cracks[1].first == 3);
+}
+
+TEST_CASE("a refused cut is not tried again while the partners are the same") {
+  int asked = 0;
+  const auto model = Model{}.splitter(CountingSplitter{&asked});
+  Simulation sim{model, crushed, Rock{}};
+  ParticleStress<decltype(model.stress_model)> stresses(model.stress_model, Rock{});
+  BreakagePass search;
+  const auto find = [&](const auto& simulation) {
+    return search
+        .find(model.breakage_model, simulation.particles(), simulation.contacts(), stresses,
+              simulation.mean_area())
+        .size();
+  };
+  CHECK(find(sim) == 0);
+  CHECK(asked == 2);
+  CHECK(find(sim) == 0);
+  CHECK(asked == 2);
+  // A block that touches the left square is one more partner.
+  Assembly joined = crushed;
+  joined.particles.push_back({square.moved({}, {-0.03099, 0.002})});
+  const Simulation other{model, joined, Rock{}};
+  find(other);
+  CHECK(asked >= 3);
+  const int so_far = asked;
+  find(sim);
+  CHECK(asked == so_far + 1);
+}
+
+namespace {
+
+// Counts how often it is asked what it needs: once for every particle that is evaluated.
+struct CountingTrigger : FailedElementRatio {
+  int* asked = nullptr;
+  std::size_t failed_elements_needed(std::size_t elements) const {
+    ++*asked;
+    return FailedElementRatio::failed_elements_needed(elements);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a particle far from breaking is evaluated once while its loads stay as they are") {
+  int asked = 0;
+  CountingTrigger trigger;
+  trigger.asked = &asked;
+  const auto model = Model{}.trigger(trigger);
+  // A hundredth of the forces that break the squares.
+  const Simulation sim{model.contact(LinearSpringCoulomb{.normal_stiffness = 2e5}), crushed,
+                       Rock{}};
+  ParticleStress<decltype(model.stress_model)> stresses(model.stress_model, Rock{});
+  BreakagePass search;
+  const auto find = [&] {
+    return search
+        .find(model.breakage_model, sim.particles(), sim.contacts(), stresses, sim.mean_area())
+        .size();
+  };
+  CHECK(find() == 0);
+  CHECK(asked == 2);
+  CHECK(find() == 0);
+  CHECK(asked == 2);
+  // Another particle in the same place is unknown.
+  stresses.forget(3);
+  CHECK(find() == 0);
+  CHECK(asked == 3);
+}
+
+TEST_CASE("a contact that comes or goes is noticed, whatever was known before") {
+  const auto model = Model{};
+  const Simulation loaded{model, crushed, Rock{}};
+  // The same pairs; the platen above the particle on the right, or both of them, do not touch.
+  Assembly above = crushed;
+  above.particles[1].polygon = platen.moved({}, {0, 0.0161});
+  const Simulation resting{model, above, Rock{}};
+  Assembly none = above;
+  none.particles[2].polygon = platen.moved({}, {0, -0.0161});
+  const Simulation free{model, none, Rock{}};
+  REQUIRE(loaded.contacts().revision() == resting.contacts().revision());
+  REQUIRE(loaded.contacts().revision() == free.contacts().revision());
+
+  ParticleStress<decltype(model.stress_model)> stresses(model.stress_model, Rock{});
+  BreakagePass search;
+  const auto find = [&](const auto& sim) {
+    return search
+        .find(model.breakage_model, sim.particles(), sim.contacts(), stresses, sim.mean_area())
+        .size();
+  };
+  const auto expected = [&](const auto& sim) {
+    BreakagePass fresh;
+    ParticleStress<decltype(model.stress_model)> unknown(model.stress_model, Rock{});
+    return fresh
+        .find(model.breakage_model, sim.particles(), sim.contacts(), unknown, sim.mean_area())
+        .size();
+  };
+  REQUIRE(expected(loaded) == 2);
+  for (const auto* sim : {&free, &free, &loaded, &free, &resting, &resting, &loaded, &resting,
+                          &free, &resting, &loaded})
+    CHECK(find(*sim) == expected(*sim));
+}
+
+TEST_CASE("under a support that is not linear every particle is evaluated exactly") {
+  CHECK(ParticleStress<StressModel<>>::linear);
+  const auto model = Model{}.support(TwoPinnedContacts{});
+  CHECK_FALSE(ParticleStress<decltype(model.stress_model)>::linear);
+}
+
+TEST_CASE("a weak particle carries its load as a strong one would carry a larger load") {
+  const Simulation sim{Model{}, crushed, Rock{}};
+  const WeibullStrength weibull{};
+  const double area = sim.particles().shape(0).area;
+  CHECK(load_scale(weibull, sim.particles(), 0) ==
+        near_relative(1 / weibull.strength_factor(0, area), 1e-15));
+  CHECK(load_scale(FailedElementRatio{}, sim.particles(), 0) == 1);
+}
+
+namespace {
+
+// Cuts into a square whose first vertex comes again, into a ring turned round, and into pieces that
+// are larger than the whole.
+struct ClosedRings {
+  std::optional<CutRings> operator()(Ring ring, const Line& line, double) const {
+    std::optional<CutRings> pieces = cut(ring, line);
+    if (pieces) pieces->left.push_back(pieces->left.front());
+    return pieces;
+  }
+};
+struct ClockwiseRings {
+  std::optional<CutRings> operator()(Ring ring, const Line& line, double) const {
+    std::optional<CutRings> pieces = cut(ring, line);
+    if (pieces) std::reverse(pieces->right.begin(), pieces->right.end());
+    return pieces;
+  }
+};
+struct TwoWholes {
+  std::optional<CutRings> operator()(Ring ring, const Line&, double) const {
+    return CutRings{{ring.begin(), ring.end()}, {ring.begin(), ring.end()}};
+  }
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("a piece that breaks a rule of polygons is a refusal, and the state stays whole",
+                   Split, ClosedRings, ClockwiseRings) {
+  Simulation sim{Model{}.boundary(NoBoundary{}).splitter(Split{}), crushed, Rock{}};
+  for (int i = 0; i < 5; ++i) CHECK_NOTHROW(sim.step());
+  CHECK(sim.breaks().empty());
+  CHECK(sim.particles().size() == 4);
+}
+
+TEST_CASE("pieces of more area than the particle are an error that names it") {
+  Simulation sim{Model{}.boundary(NoBoundary{}).splitter(TwoWholes{}), crushed, Rock{}};
+  CHECK_THROWS_WITH_AS(
+      sim.step(), "particle 0: splitter: area of both pieces over the particle's = 2: must be 1",
+      SimulationError);
+  CHECK(sim.breaks().empty());
+  CHECK(sim.particles().size() == 4);
+}
+
+TEST_CASE("loads that are not finite are an error that names the particle, not an intact one") {
+  struct NoForce : LinearSpringCoulomb {
+    bool broken = false;
+    ContactForce operator()(const ContactGeometry& geometry, const ContactMotion& motion,
+                            History& history) const {
+      ContactForce force = LinearSpringCoulomb::operator()(geometry, motion, history);
+      if (broken) force.normal = std::nan("");
+      return force;
+    }
+  };
+  const auto check = [](const auto& model) {
+    Simulation sim{model, crushed, Rock{}};
+    sim.step();
+    sim.contact_law().broken = true;
+    CHECK_THROWS_WITH_AS(sim.step(), doctest::Contains("particle 0: "), SimulationError);
+  };
+  const HoekBrown strong{.compressive_strength = 1e13};
+  const auto model = Model{}.boundary(NoBoundary{}).contact(NoForce{}).criterion(strong);
+  check(model);
+  check(model.support(TwoPinnedContacts{}));
+  check(model.integrator(VelocityVerlet{}));
+}
