@@ -71,7 +71,7 @@ class StressChangeBound {
                       .position_sensitivity =
                           static_cast<float>(op.position_sensitivity(at, force)),
                       .unit_sensitivity = static_cast<float>(op.position_sensitivity(at)),
-                      .norm_x = 0,  // by keep_products
+                      .norm_x = 0,  // by store_products
                       .norm_y = 0,
                       .inverse_short_arc = 0,
                       .partner = loads[c].partner};

@@ -38,10 +38,9 @@ struct HoekBrown {
   [[nodiscard]] double friction_angle(double minor) const {
     const double x = scaled(minor);
     if (x <= 0) return 0.5 * std::numbers::pi;
-    const double position_sensitivity = a_b * m_b * std::pow(x, a_b - 1);
-    if (angle == Angle::tangent) return friction_angle_from_slope(1 + position_sensitivity);
-    return std::asin(6 * position_sensitivity /
-                     (2 * (1 + a_b) * (2 + a_b) + 6 * position_sensitivity));
+    const double slope = a_b * m_b * std::pow(x, a_b - 1);
+    if (angle == Angle::tangent) return friction_angle_from_slope(1 + slope);
+    return std::asin(6 * slope / (2 * (1 + a_b) * (2 + a_b) + 6 * slope));
   }
 
   void validate() const {
