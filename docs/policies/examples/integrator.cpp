@@ -10,9 +10,8 @@ struct DriftThenKick {  // symplectic Euler the other way round: motion first, t
   void second_kick(Body& body, const Wrench& wrench, double time_step) const {
     kick(body, wrench, time_step);
   }
-  double first_kick_fraction() const {
-    return 0;
-  }  // all of the impulse, and its work, is in second_kick
+  // All of the impulse, and its work, is in second_kick.
+  double first_kick_fraction() const { return 0; }
 };
 
 int main() {
