@@ -59,10 +59,10 @@ struct TrustsCache {
   }
 };
 
-/// Wrong about pairs in groups.
-struct GroupedBadly : OverlapChord {
+/// Wrong about pairs in batches.
+struct WrongBatch : OverlapChord {
   struct Batch : OverlapChord::Batch {
-    using Of = GroupedBadly;
+    using Of = WrongBatch;
     ContactGeometry* last = nullptr;
     bool add(Ring a, Ring b, const Cache& cache, ContactGeometry& contact) {
       last = &contact;
@@ -145,6 +145,6 @@ TEST_CASE("a narrow phase with a length of its own is found out in other units")
                  "a contact is the same in other units");
 }
 
-TEST_CASE("a narrow phase that answers groups differently is found out") {
-  check_violated(narrow_phase_violations(GroupedBadly{}), "a group changes no answer");
+TEST_CASE("a narrow phase whose batches give other contacts is found out") {
+  check_violated(narrow_phase_violations(WrongBatch{}), "a batch changes no contact");
 }

@@ -71,7 +71,7 @@ TEST_CASE("pairs wait until they are enough, and those without a contact are ask
     batch.find_if_full({}, ask);
   }
   CHECK(single == std::vector<std::size_t>{11});
-  // The next one begins another group, which is not filled.
+  // The next one begins another batch, which is not filled.
   CHECK(batch.add(13, pairs[3], particles));
   batch.find_if_full({}, ask);
   batch.finish(ask);

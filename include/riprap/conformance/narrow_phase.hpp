@@ -125,7 +125,7 @@ void check_groups(const N& narrow, const std::vector<PolygonPair>& pairs, AxiomC
     batch.clear();
     for (std::size_t l = 0; l < contacts.size(); ++l)
       if ((found >> l & 1U) != 0)
-        check_same_contact("a group changes no answer", contacts[l],
+        check_same_contact("a batch changes no contact", contacts[l],
                            meet(narrow, members[l]->a, members[l]->b), 0, 0, check);
   }
 }

@@ -9,7 +9,7 @@ namespace archetype = riprap::test::archetype;
 
 namespace {
 
-class WithoutMemory : public archetype::NarrowPhase {
+class WithoutCache : public archetype::NarrowPhase {
   using archetype::NarrowPhase::Cache;  // private
 };
 struct MemoryThatMustBeMade : archetype::NarrowPhase {
@@ -75,7 +75,7 @@ struct FindsSeveral : archetype::NarrowPhase {
   }
 };
 struct Inherits : FindsSeveral {};  // and may answer differently
-struct GroupOfNobody : archetype::NarrowPhase {
+struct BatchWithoutOf : archetype::NarrowPhase {
   struct Batch {};
 };
 struct FindNotConst : archetype::NarrowPhase {
@@ -84,9 +84,9 @@ struct FindNotConst : archetype::NarrowPhase {
   };
   unsigned find(const Batch&) { return 0; }
 };
-struct GroupTooLarge : archetype::NarrowPhase {
+struct BatchTooLarge : archetype::NarrowPhase {
   struct Batch : FindsSeveral::Batch {
-    using Of = GroupTooLarge;
+    using Of = BatchTooLarge;
     static constexpr std::size_t capacity = 33;  // bits of an answer
   };
   unsigned find(const Batch&) const { return 0; }
@@ -96,16 +96,16 @@ static_assert(NarrowPhase<FindsSeveral>);
 static_assert(FindsBatches<FindsSeveral>);
 static_assert(NarrowPhase<Inherits>);
 static_assert(!FindsBatches<Inherits>);
-static_assert(!NarrowPhase<GroupOfNobody>);
+static_assert(!NarrowPhase<BatchWithoutOf>);
 static_assert(!NarrowPhase<FindNotConst>);
-static_assert(!NarrowPhase<GroupTooLarge>);
+static_assert(!NarrowPhase<BatchTooLarge>);
 static_assert(NarrowPhase<archetype::NarrowPhase>);
 static_assert(NarrowPhase<TellsClearance>);
 static_assert(NarrowPhase<ClearanceOfRings>);
 static_assert(!NarrowPhase<ClearanceNotConst>);
 static_assert(!NarrowPhase<ClearanceChangesTheMemory>);
 static_assert(!NarrowPhase<ClearanceIsNoNumber>);
-static_assert(!NarrowPhase<WithoutMemory>);
+static_assert(!NarrowPhase<WithoutCache>);
 static_assert(!NarrowPhase<MemoryThatMustBeMade>);
 static_assert(!NarrowPhase<MemoryThatStays>);
 static_assert(!NarrowPhase<NotConst>);
