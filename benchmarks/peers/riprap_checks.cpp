@@ -26,8 +26,8 @@ class ShearTimer {
   void after_step(const auto& sim) { timer_.after_step(sim); }
   void end_stage(const auto& /*view*/) { cpu_ = cpu_seconds() - begun_; }
 
-  // Nanoseconds of CPU time a particle and step. The phases are wall-clock time: they say which share
-  // it is, so that what else the machine does cancels.
+  // Nanoseconds of CPU time a particle and step. The phases are wall-clock time: they say which
+  // share it is, so that what else the machine does cancels.
   [[nodiscard]] double checking() const {
     const double share =
         (timer_.seconds(StepPhase::stress_bound) + timer_.seconds(StepPhase::stress_check) +

@@ -81,7 +81,8 @@ TEST_CASE("the parts of a run add up to nearly all of its time") {
   }
   CHECK(timer.seconds() == sum);
   CHECK(sum <= all);
-  CHECK(sum >= 0.5 * all);  // the end of the last step is in no phase; others may have the processor
+  CHECK(sum >=
+        0.5 * all);  // the end of the last step is in no phase; others may have the processor
   CHECK(timer.seconds(StepPhase::integration) > 0);
   CHECK(timer.seconds(StepPhase::contact_law) > 0);
   CHECK(timer.seconds(StepPhase::stress_check) > 0);
