@@ -97,8 +97,8 @@ bool within_budget(const StressChangeBound::Sensitivities& sensitivities, std::s
                    const Loaded& particle) {
   IncrementalBound watch(particle.rotation, static_cast<std::uint32_t>(weighted));
   for (std::size_t k = 0; k < particle.loads.size(); ++k)
-    watch.meet(sensitivities[k], particle.loads[k].arm, particle.loads[k].force);
-  return watch.within_limit();
+    watch.accumulate(sensitivities[k], particle.loads[k].arm, particle.loads[k].force);
+  return watch.within_budget();
 }
 
 // A change of all loads, or of one of them alone: of its force, of its place or of both, along an
