@@ -113,17 +113,16 @@ struct CrossingLanes {
 /// @param found called with the index of every query that has an overlap, and the overlap
 template <class Found>
 [[gnu::flatten]] void find_corner_edge_overlaps(const CornerEdgeQueries& queries, Found&& found) {
+  using Feature = CornerEdgeFeature;
   using Numbers = internal::Lanes;
   using internal::CrossingLanes;
   using internal::VertexLanes;
   constexpr double margin = 1e-8;
-  const VertexLanes start(queries, &CornerEdgeQuery::ring, &CornerEdgeFeature::edge);
-  const VertexLanes edge({queries, &CornerEdgeQuery::ring, &CornerEdgeFeature::edge_end}, start);
+  const VertexLanes start(queries, &CornerEdgeQuery::ring, &Feature::edge);
+  const VertexLanes edge({queries, &CornerEdgeQuery::ring, &Feature::edge_end}, start);
   const Numbers squared = edge.x * edge.x + edge.y * edge.y;
-  const CrossingLanes in(queries, start, edge, &CornerEdgeFeature::first,
-                         &CornerEdgeFeature::before);
-  const CrossingLanes out(queries, start, edge, &CornerEdgeFeature::last,
-                          &CornerEdgeFeature::after);
+  const CrossingLanes in(queries, start, edge, &Feature::first, &Feature::before);
+  const CrossingLanes out(queries, start, edge, &Feature::last, &Feature::after);
   const Numbers width = in.along - out.along;
   const Numbers least = in.deep.min(in.high)
                             .min(out.deep.min(out.high))
@@ -132,8 +131,7 @@ template <class Found>
 
   // The triangle of the edge and the opposite vertex contains most points inside the ring near the
   // edge, and testing it is cheaper than testing all edges.
-  const VertexLanes opposite({queries, &CornerEdgeQuery::ring, &CornerEdgeFeature::opposite},
-                             start);
+  const VertexLanes opposite({queries, &CornerEdgeQuery::ring, &Feature::opposite}, start);
   const Numbers twice_area = edge.x * opposite.y - edge.y * opposite.x;
   const Numbers left_in = in.inside.x * opposite.y - in.inside.y * opposite.x;
   const Numbers left_out = out.inside.x * opposite.y - out.inside.y * opposite.x;
@@ -155,7 +153,7 @@ template <class Found>
   const Numbers quadrangle =
       0.5 * scale * scale *
       ((in.inside_along - out.along) * out.deep + (in.along - out.inside_along) * in.deep);
-  const auto tell = [&]<Eigen::Index k>(std::integral_constant<Eigen::Index, k>)
+  const auto report = [&]<Eigen::Index k>(std::integral_constant<Eigen::Index, k>)
       __attribute__((always_inline)) {
     constexpr auto l = static_cast<std::size_t>(k);
     const bool crossed = least[k] > clear[k];
@@ -170,7 +168,7 @@ template <class Found>
                                .one_vertex = one_vertex});
   };
   [&]<std::size_t... l>(std::index_sequence<l...>) __attribute__((always_inline)) {
-    (tell(std::integral_constant<Eigen::Index, l>{}), ...);
+    (report(std::integral_constant<Eigen::Index, l>{}), ...);
   }
   (std::make_index_sequence<simd_lanes>{});
 }
