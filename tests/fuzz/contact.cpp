@@ -77,15 +77,28 @@ struct Pair {
                                     diameter(b)})),
         common_area(exact_common_area(a, b)) {}
   [[nodiscard]] double area_round_off() const { return smaller_size * round_off; }
-  /// Of a crossing of two edges along one of them: the more, the smaller the angle between them.
+  /// Of the vertices of the common part along an edge: the more, the smaller the angle between the
+  /// two edges that meet there. Clipping finds corners, too, as crossings of two edges.
   [[nodiscard]] double crossing_round_off() const {
     double sine = 1;
+    const auto add = [&sine](const LineSide& p, const LineSide& q) {
+      const double between =
+          std::abs(p.x * q.y - p.y * q.x) / (std::hypot(p.x, p.y) * std::hypot(q.x, q.y));
+      if (between > 0) sine = std::min(sine, between);
+    };
+    const auto edge = [](Ring ring, std::size_t i) {
+      return LineSide(ring[i], ring[next_vertex(i, ring.size())]);
+    };
+    for (const Ring ring : {a, b})
+      for (std::size_t i = 0; i < ring.size(); ++i)
+        add(edge(ring, i), edge(ring, next_vertex(i, ring.size())));
     for (std::size_t i = 0; i < a.size(); ++i)
       for (std::size_t j = 0; j < b.size(); ++j) {
-        const Vec2 p = a[next_vertex(i, a.size())] - a[i];
-        const Vec2 q = b[next_vertex(j, b.size())] - b[j];
-        const double between = std::abs(cross(p, q)) / (p.norm() * q.norm());
-        if (between > 0) sine = std::min(sine, between);  // parallel ones have no crossing
+        const LineSide p = edge(a, i);
+        const LineSide q = edge(b, j);
+        if ((p(b[j]) > 0) != (p(b[next_vertex(j, b.size())]) > 0) &&
+            (q(a[i]) > 0) != (q(a[next_vertex(i, a.size())]) > 0))
+          add(p, q);
       }
     return round_off / sine;
   }
