@@ -58,7 +58,7 @@ Pair touching_pair() {
 
 }  // namespace
 
-TEST_CASE("pairs wait until they are enough, and those without a contact are asked alone") {
+TEST_CASE("pairs are evaluated once a batch is full, those without a contact singly") {
   const Particles particles = two_triangles();
   std::vector<Pair> pairs(4, touching_pair());
   pairs[1].cache.parted = true;
@@ -80,7 +80,8 @@ TEST_CASE("pairs wait until they are enough, and those without a contact are ask
   CHECK(single.size() == 2);
 }
 
-TEST_CASE("pairs that did not touch, images and those that the narrow phase refuses do not wait") {
+TEST_CASE(
+    "pairs that did not touch, images and pairs that the narrow phase refuses join no batch") {
   const Particles particles = two_triangles();
   PairBatch<ThreeAtOnce> batch;
   Pair apart{.a = 0, .b = 1};

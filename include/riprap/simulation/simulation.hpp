@@ -30,16 +30,16 @@ namespace internal {
 
 /// The domain of a boundary: periodic if it has a `domain()`.
 template <class B>
-struct PlaneOfBoundary {
+struct DomainOfBoundary {
   using type = UnboundedDomain;
 };
 template <class B>
   requires requires(B& boundary) { boundary.domain(); }
-struct PlaneOfBoundary<B> {
+struct DomainOfBoundary<B> {
   using type = PeriodicDomain;
 };
 template <class B>
-using DomainOf = typename PlaneOfBoundary<B>::type;
+using DomainOf = typename DomainOfBoundary<B>::type;
 
 }  // namespace internal
 

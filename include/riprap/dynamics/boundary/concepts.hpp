@@ -56,7 +56,7 @@ concept BoundaryEnclose = !requires {
   boundary.enclose(assembly, particles);
 };
 
-/// Optional: `boundary.domain()` and `boundary.drift(time_step)`, which brings the plane to the
+/// Optional: `boundary.domain()` and `boundary.drift(time_step)`, which brings the domain to the
 /// next poses, once a step: the simulation runs in a periodic cell.
 template <class B>
 concept BoundaryDomain = !requires(B& boundary) { boundary.domain(); } ||
