@@ -14,13 +14,13 @@
 #include <map>
 
 #include <riprap/breakage/criterion/hoek_brown.hpp>
-#include <riprap/breakage/failure_screening.hpp>
+#include <riprap/acceleration/screening/failure_screening.hpp>
 #include <riprap/stress/assemble_and_solve.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
 #include <riprap/stress/influence_operator.hpp>
 #include <riprap/stress/mesh/uniform_mesher.hpp>
 #include <riprap/stress/plane_state/plane_stress.hpp>
-#include <riprap/stress/stress_change_bound.hpp>
+#include <riprap/acceleration/screening/stress_change_bound.hpp>
 
 #include "support.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <riprap/stress/assemble_and_solve.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
-#include <riprap/stress/influence_operator_f32.hpp>
+#include <riprap/acceleration/screening/influence_operator_f32.hpp>
 #include <riprap/stress/mesh/fan_mesher.hpp>
 #include <riprap/stress/mesh/uniform_mesher.hpp>
 #include <riprap/stress/plane_state/plane_stress.hpp>

@@ -19,10 +19,10 @@
 #include <riprap/contact/domain.hpp>
 #include <riprap/contact/law/concepts.hpp>
 #include <riprap/contact/narrow_phase/concepts.hpp>
-#include <riprap/contact/neighbour_search.hpp>
-#include <riprap/contact/pair_batch.hpp>
+#include <riprap/acceleration/neighbour_list/verlet_list.hpp>
+#include <riprap/acceleration/batching/pair_batch.hpp>
 #include <riprap/core/execution/serial.hpp>
-#include <riprap/core/prefetch.hpp>
+#include <riprap/acceleration/batching/prefetch.hpp>
 #include <riprap/core/splitmix64.hpp>
 #include <riprap/core/step_phase.hpp>
 #include <riprap/geometry/convex_polygon.hpp>

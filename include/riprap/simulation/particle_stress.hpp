@@ -12,18 +12,18 @@
 #include <utility>
 #include <vector>
 
-#include <riprap/breakage/failure_screening.hpp>
+#include <riprap/acceleration/screening/failure_screening.hpp>
 #include <riprap/contact/pair_index.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/core/execution/serial.hpp>
 #include <riprap/core/splitmix64.hpp>
 #include <riprap/material/rock.hpp>
 #include <riprap/particle/particles.hpp>
-#include <riprap/simulation/operator_cache.hpp>
+#include <riprap/acceleration/operator_cache.hpp>
 #include <riprap/stress/boundary_load.hpp>
 #include <riprap/stress/element_stress.hpp>
-#include <riprap/stress/incremental_bound.hpp>
-#include <riprap/stress/stress_change_bound.hpp>
+#include <riprap/acceleration/screening/incremental_bound.hpp>
+#include <riprap/acceleration/screening/stress_change_bound.hpp>
 #include <riprap/stress/support/inertia_relief.hpp>
 
 namespace riprap {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <riprap/contact/broad_phase/concepts.hpp>
-#include <riprap/contact/displacement_bound.hpp>
+#include <riprap/acceleration/neighbour_list/displacement_bound.hpp>
 #include <riprap/contact/domain.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/core/execution/serial.hpp>

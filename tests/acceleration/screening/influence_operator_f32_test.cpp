@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/stress/influence_operator_f32.hpp>
+#include <riprap/acceleration/screening/influence_operator_f32.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/contact/pair_batch.hpp>
+#include <riprap/acceleration/batching/pair_batch.hpp>
 
 #include <doctest/doctest.h>
 

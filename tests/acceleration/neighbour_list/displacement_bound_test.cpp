@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/contact/displacement_bound.hpp>
+#include <riprap/acceleration/neighbour_list/displacement_bound.hpp>
 
 #include <doctest/doctest.h>
 

@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <span>
 
-#include <riprap/stress/corner_arc_length.hpp>
-#include <riprap/stress/incremental_bound.hpp>
-#include <riprap/stress/influence_operator_f32.hpp>
+#include <riprap/acceleration/screening/corner_arc_length.hpp>
+#include <riprap/acceleration/screening/incremental_bound.hpp>
+#include <riprap/acceleration/screening/influence_operator_f32.hpp>
 
 namespace riprap {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/core/prefetch.hpp>
+#include <riprap/acceleration/batching/prefetch.hpp>
 
 #include <doctest/doctest.h>
 

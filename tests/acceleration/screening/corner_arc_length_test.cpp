@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/stress/corner_arc_length.hpp>
+#include <riprap/acceleration/screening/corner_arc_length.hpp>
 
 #include <doctest/doctest.h>
 

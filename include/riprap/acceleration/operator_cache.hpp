@@ -14,7 +14,7 @@
 #include <riprap/material/rock.hpp>
 #include <riprap/particle/particles.hpp>
 #include <riprap/stress/influence_operator.hpp>
-#include <riprap/stress/influence_operator_f32.hpp>
+#include <riprap/acceleration/screening/influence_operator_f32.hpp>
 
 namespace riprap {
 

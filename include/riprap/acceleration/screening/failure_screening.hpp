@@ -13,7 +13,7 @@
 #include <vector>
 
 #include <riprap/breakage/criterion/concepts.hpp>
-#include <riprap/stress/influence_operator_f32.hpp>
+#include <riprap/acceleration/screening/influence_operator_f32.hpp>
 
 namespace riprap {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/stress/stress_change_bound.hpp>
+#include <riprap/acceleration/screening/stress_change_bound.hpp>
 
 #include <doctest/doctest.h>
 

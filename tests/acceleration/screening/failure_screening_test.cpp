@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/breakage/failure_screening.hpp>
+#include <riprap/acceleration/screening/failure_screening.hpp>
 
 #include <doctest/doctest.h>
 

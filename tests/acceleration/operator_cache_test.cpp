@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/simulation/operator_cache.hpp>
+#include <riprap/acceleration/operator_cache.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/contact/neighbour_search.hpp>
+#include <riprap/acceleration/neighbour_list/verlet_list.hpp>
 
 #include <doctest/doctest.h>
 
