@@ -13,14 +13,14 @@
 #include <deque>
 #include <map>
 
-#include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/acceleration/screening/failure_screening.hpp>
+#include <riprap/acceleration/screening/stress_change_bound.hpp>
+#include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/stress/assemble_and_solve.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
 #include <riprap/stress/influence_operator.hpp>
 #include <riprap/stress/mesh/uniform_mesher.hpp>
 #include <riprap/stress/plane_state/plane_stress.hpp>
-#include <riprap/acceleration/screening/stress_change_bound.hpp>
 
 #include "support.hpp"
 
@@ -150,8 +150,8 @@ std::vector<ByOperator<true>> bounded(const std::vector<Loaded>& loaded) {
 void change_loads(std::vector<ByOperator<true>>& all) {
   for (ByOperator<true>& one : all)
     for (ContactLoad& load : one.loads) {
-      load.arm *= 1 - 1e-7;
-      load.force *= 1 + 1e-4;
+      load.arm_lab *= 1 - 1e-7;
+      load.force_lab *= 1 + 1e-4;
     }
 }
 
@@ -168,7 +168,7 @@ void bound(benchmark::State& state) {
   for (auto _ : state) {
     IncrementalBound one(Rotation{}, contacts);
     for (std::size_t k = 0; k < contacts; ++k)
-      one.accumulate(sensitivities[i][k], all[i].loads[k].arm, all[i].loads[k].force);
+      one.accumulate(sensitivities[i][k], all[i].loads[k].arm_lab, all[i].loads[k].force_lab);
     held += one.within_budget();
     if (++i == particles) i = 0;
   }

@@ -29,13 +29,13 @@ TEST_CASE("every body has its sides of all pairs, in rising order") {
     }
     index.build(pairs, bodies + 1);  // the last one has none
     for (BodyIndex i = 0; i <= bodies; ++i) {
-      std::vector<std::uint32_t> expected;
+      std::vector<PairSide> expected;
       for (std::uint32_t k = 0; k < pairs.size(); ++k) {
-        if (pairs[k].a == i) expected.push_back(2 * k);
-        if (pairs[k].b == i) expected.push_back(2 * k + 1);
+        if (pairs[k].a == i) expected.push_back({k, false});
+        if (pairs[k].b == i) expected.push_back({k, true});
       }
       const auto found = index.of(i);
-      CHECK(std::vector<std::uint32_t>(found.begin(), found.end()) == expected);
+      CHECK(std::vector<PairSide>(found.begin(), found.end()) == expected);
     }
   }
 }
@@ -44,4 +44,13 @@ TEST_CASE("without pairs no body has a side") {
   PairIndex index;
   index.build(std::vector<Pair>{}, 3);
   for (BodyIndex i = 0; i < 3; ++i) CHECK(index.of(i).empty());
+}
+
+TEST_CASE("a side knows its pair and which body it is") {
+  CHECK(PairSide{}.index() == 0);
+  CHECK(PairSide(7, false).index() == 14);
+  CHECK(PairSide(7, true).index() == 15);
+  CHECK(PairSide(7, true).pair() == 7);
+  CHECK(PairSide(7, true).is_b());
+  CHECK_FALSE(PairSide(7, false).is_b());
 }

@@ -2,8 +2,8 @@
 # Includes run downwards only: a header may include its own layer and those before it in this list.
 # Outside the layers, compiler.hpp and version.hpp are open to all of them and riprap.hpp to none: it
 # is for users.
-set(layers core material geometry particle contact dynamics stress breakage measurement simulation
-           experiment output conformance)
+set(layers core material geometry particle contact dynamics stress breakage acceleration measurement
+           simulation experiment output conformance)
 
 get_filename_component(include ${CMAKE_CURRENT_LIST_DIR}/../../include ABSOLUTE)
 file(GLOB_RECURSE headers RELATIVE ${include} ${include}/riprap/*.hpp)

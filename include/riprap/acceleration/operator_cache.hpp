@@ -11,26 +11,29 @@
 #include <utility>
 #include <vector>
 
-#include <riprap/material/rock.hpp>
-#include <riprap/particle/particles.hpp>
-#include <riprap/stress/influence_operator.hpp>
 #include <riprap/acceleration/screening/influence_operator_f32.hpp>
+#include <riprap/stress/operator_store/concepts.hpp>
 
 namespace riprap {
 
 /// Operators are built on first use. If the budget does not suffice for all of them, the least
 /// recently used ones are evicted and rebuilt on demand, with the same bytes: results do not depend
 /// on the budget. With 100 triangles an operator takes 140 to 190 kB in double and 80 to 110 kB in
-/// single precision; the more, the blunter the particle.
-template <class StressPart>
-class OperatorCache {
- public:
+/// single precision; the more, the blunter the particle. The default.
+struct OperatorCache {
   /// 4 GiB: some 45,000 operators of 100 triangles in single precision.
   static constexpr std::size_t default_budget = std::size_t{4} << 30;
 
-  OperatorCache(StressPart model, const Rock& rock) : model_(std::move(model)), rock_(rock) {}
+  std::size_t budget = default_budget;  ///< [bytes]
 
-  [[nodiscard]] const StressPart& model() const { return model_; }
+  class State;
+};
+
+/// The operators of the particles of a simulation.
+class OperatorCache::State {
+ public:
+  explicit State(const OperatorCache& policy = {}) : budget_(policy.budget) {}
+
   /// Memory budget [bytes]; an operator in use is kept whatever its size.
   void set_budget(std::size_t bytes) { budget_ = bytes; }
   [[nodiscard]] std::size_t budget() const { return budget_; }
@@ -49,26 +52,33 @@ class OperatorCache {
     release(slots_[i].single_precision);
   }
 
-  /// The operator of particle i; good until the next call for another particle.
-  const InfluenceOperator& exact(const Particles& particles, BodyIndex i) {
-    if (slots_.size() < particles.size()) slots_.resize(particles.size());
+  /// The operator of particle i, from memory or from `build()`; valid until the next call for
+  /// another particle.
+  template <class Build>
+  const InfluenceOperator& exact(BodyIndex i, Build&& build) {
+    if (slots_.size() <= i) slots_.resize(i + 1);
     Entry<InfluenceOperator>& entry = slots_[i].exact;
     entry.epoch = epoch_;
     if (!entry.op) {
-      store(entry, build(particles, i));
+      store(entry, build());
       evict_beyond_budget(i);
     }
     return *entry.op;
   }
+  /// The operator of particle i, if it is in memory; else null.
+  [[nodiscard]] const InfluenceOperator* find(BodyIndex i) const {
+    return i < slots_.size() ? slots_[i].exact.op.get() : nullptr;
+  }
   /// The operator in single precision; valid until the next `evict`. After `begin_epoch` threads
   /// may call it concurrently, each for other particles.
-  const InfluenceOperatorF32& single_precision(const Particles& particles, BodyIndex i) {
+  template <class Build>
+  const InfluenceOperatorF32& single_precision(BodyIndex i, Build&& build) {
     Entry<InfluenceOperatorF32>& entry = slots_[i].single_precision;
     entry.epoch = epoch_;
     if (!entry.op) {
       Entry<InfluenceOperator>& exact = slots_[i].exact;
       std::unique_ptr<InfluenceOperator> made;
-      if (!exact.op) made = build(particles, i);
+      if (!exact.op) made = build();
       store(entry, std::make_unique<InfluenceOperatorF32>(made ? *made : *exact.op));
       if (made && keeps_exact()) {
         exact.epoch = epoch_;
@@ -91,13 +101,6 @@ class OperatorCache {
     Entry<InfluenceOperator> exact;
     Entry<InfluenceOperatorF32> single_precision;
   };
-
-  [[nodiscard]] std::unique_ptr<InfluenceOperator> build(const Particles& particles,
-                                                         BodyIndex i) const {
-    return std::make_unique<InfluenceOperator>(
-        model_.mesher(particles.local_ring(i)), model_.element, model_.plane_state, rock_,
-        particles.thickness(), decltype(model_.support)::needs_flexibility);
-  }
 
   template <class Op>
   void store(Entry<Op>& entry, std::unique_ptr<Op> op) {
@@ -135,13 +138,13 @@ class OperatorCache {
     }
   }
 
-  StressPart model_;
-  Rock rock_;
   std::vector<Slot> slots_;
   std::vector<std::pair<std::uint64_t, BodyIndex>> oldest_;
   std::size_t budget_ = default_budget;
   std::size_t bytes_ = 0;
   std::uint64_t epoch_ = 0;
 };
+
+static_assert(OperatorStore<OperatorCache>);
 
 }  // namespace riprap

@@ -7,22 +7,22 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include <riprap/breakage/failure_count.hpp>
 #include <riprap/contact/contact_list.hpp>
 #include <riprap/core/execution/concepts.hpp>
 #include <riprap/particle/assembly.hpp>
 #include <riprap/particle/particles.hpp>
 #include <riprap/simulation/body_step.hpp>
 #include <riprap/simulation/break_event.hpp>
-#include <riprap/simulation/breakage_pass.hpp>
+#include <riprap/simulation/breakage_stage.hpp>
 #include <riprap/simulation/model.hpp>
 #include <riprap/simulation/observer.hpp>
-#include <riprap/simulation/particle_stress.hpp>
-#include <riprap/simulation/piece_limit.hpp>
 
 namespace riprap {
 
@@ -55,7 +55,9 @@ class Simulation {
   using Domain = internal::DomainOf<decltype(ModelType::motion_model.boundary)>;
   using Contacts = ContactList<decltype(ModelType::contact_model.broad_phase),
                                decltype(ModelType::contact_model.narrow_phase),
-                               decltype(ModelType::contact_model.law), Domain>;
+                               decltype(ModelType::contact_model.law), Domain,
+                               decltype(ModelType::acceleration_model.neighbour_list),
+                               decltype(ModelType::acceleration_model.detection)>;
   static constexpr bool breakable = !decltype(ModelType::breakage_model)::never_fails;
 
   /// Throws InvalidInput if the model, the assembly or the rock breaks a rule.
@@ -64,7 +66,7 @@ class Simulation {
         particles_(assembly.thickness, rock.density),
         contacts_(model_.contact_model.broad_phase, model_.contact_model.narrow_phase,
                   model_.contact_model.law),
-        stress_(model_.stress_model, rock) {
+        breakage_(model_) {
     double intact_area = 0;
     std::size_t intact = 0;
     for (const PlacedParticle& placed : assembly.particles) {
@@ -139,7 +141,7 @@ class Simulation {
   [[nodiscard]] double mean_area() const { return mean_area_; }
   [[nodiscard]] double smallest_mass() const { return smallest_mass_; }
   /// Memory held by influence operators [bytes].
-  [[nodiscard]] std::size_t operator_bytes() const { return stress_.bytes(); }
+  [[nodiscard]] std::size_t operator_bytes() const { return breakage_.operator_bytes(); }
 
   // What an experiment may change between steps.
 
@@ -180,32 +182,41 @@ class Simulation {
     time_step_ = seconds;
   }
 
-  /// Memory for influence operators [bytes]: results do not depend on it. See OperatorCache.
-  void set_operator_budget(std::size_t bytes) { stress_.operators().set_budget(bytes); }
+  /// Memory for influence operators [bytes], with an OperatorCache: results do not depend on it.
+  void set_operator_budget(std::size_t bytes)
+    requires requires(BreakageStage<ModelType>& stage) { stage.operators.set_budget(bytes); }
+  {
+    breakage_.operators.set_budget(bytes);
+  }
 
-  /// Evaluates particle i now: its element stresses, in its own frame.
+  /// Element stresses of particle i under its present contact forces, in its own frame.
   [[nodiscard]] ElementStress element_stress(BodyIndex i) const {
     require_body(i);
-    stress_.gather(particles_, contacts_);
-    return stress_.evaluate(particles_, i);
+    return StressEvaluation{}(*find_operator(i), model_.stress_model.support,
+                              particles_.body(i).rotation, loads_on(contacts_, i), 1);
   }
-  [[nodiscard]] const Mesh& mesh(BodyIndex i) const {
+  /// The finite-element mesh of particle i, in its own frame.
+  [[nodiscard]] Mesh mesh(BodyIndex i) const {
     require_body(i);
-    return stress_.influence(particles_, i).mesh();
+    return find_operator(i)->mesh();
   }
 
-  /// Rat of every particle now (0 for driven ones), in the order of the bodies.
+  /// Rat of every particle now (0 for driven and unloaded ones), in the order of the bodies.
   [[nodiscard]] std::vector<double> failed_ratios() const {
     std::vector<double> ratios(particles_.size(), 0);
     if constexpr (breakable) {
-      stress_.gather(particles_, contacts_);
-      for (BodyIndex i = 0; i < particles_.size(); ++i)
-        if (particles_.body(i).is_free())
-          ratios[i] = count_failures(model_.breakage_model.criterion,
-                                     stress_.evaluate(
-                                         particles_, i,
-                                         load_scale(model_.breakage_model.trigger, particles_, i)))
-                          .ratio();
+      const auto& breakage = model_.breakage_model;
+      ContactLoads loads;
+      loads.begin(contacts_, particles_.size());
+      StressEvaluation evaluate;
+      for (BodyIndex i = 0; i < particles_.size(); ++i) {
+        loads.gather(contacts_, i);
+        if (!particles_.body(i).is_free() || loads.of(i).empty()) continue;
+        const ElementStress& stress =
+            evaluate(*find_operator(i), model_.stress_model.support, particles_.body(i).rotation,
+                     loads.of(i), load_scale(breakage.trigger, particles_, i));
+        ratios[i] = count_failures(breakage.criterion, stress).ratio();
+      }
     }
     return ratios;
   }
@@ -224,6 +235,13 @@ class Simulation {
     if (!Domain::periodic && assembly.period != Vec2{0, 0})
       throw InvalidInput("Assembly.period is set: give the model a PeriodicCell as its boundary");
     return model;
+  }
+
+  // The operator of particle i, from memory or built anew.
+  [[nodiscard]] std::shared_ptr<const InfluenceOperator> find_operator(BodyIndex i) const {
+    if (const InfluenceOperator* known = breakage_.find_operator(i))
+      return {std::shared_ptr<const InfluenceOperator>(), known};  // does not own it
+    return build_operator(model_.stress_model, rock_, particles_, i);
   }
 
   // Notifies observers that measure time; does nothing if there are none.
@@ -279,11 +297,8 @@ class Simulation {
   template <class OnPhaseEnd, class... Observers>
   void break_particles(OnPhaseEnd&& on_phase_end, Observers&... observers) {
     const BreakagePass::Cracks& cracks =
-        breakage_pass_.find(model_.breakage_model, particles_, contacts_, stress_, mean_area_,
-                            model_.execution_policy, on_phase_end);
+        breakage_.find_cracks(model_, rock_, mean_area_, particles_, contacts_, on_phase_end);
     if (cracks.empty()) return;
-    for (const auto& [i, crack] : cracks)
-      piece_limit_.add_break(model_.breakage_model.splitter, particles_.ancestry(i));
     const std::size_t first = breaks_.size();
     (hooks::before_splits(observers, *this), ...);
     for (const auto& [i, crack] : cracks) split(i, crack);
@@ -311,7 +326,7 @@ class Simulation {
     }
     contacts_.divide(i, second,
                      [&](const Vec2& point) { return crack.line.left_distance(point) < 0; });
-    stress_.forget(i);
+    breakage_.forget(i);
     breaks_.push_back({.step = steps_,
                        .time = time_,
                        .particle = ancestry,
@@ -342,8 +357,7 @@ class Simulation {
   Rock rock_;
   Particles particles_;
   Contacts contacts_;
-  // Operators are built on first use, also from const functions.
-  mutable ParticleStress<decltype(ModelType::stress_model)> stress_;
+  [[no_unique_address]] BreakageStage<ModelType> breakage_;
   double smallest_mass_ = 0;
   double mean_area_ = 0;
   double time_step_ = 0;
@@ -353,8 +367,6 @@ class Simulation {
   bool breakage_active_ = true;
   BodyWork work_;
   std::vector<BodyWork> task_work_;
-  BreakagePass breakage_pass_;
-  PieceLimit piece_limit_;
   std::vector<BreakEvent> breaks_;
 };
 

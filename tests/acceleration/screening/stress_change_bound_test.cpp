@@ -51,8 +51,8 @@ struct Loaded {
   placed(std::vector<LocatedPoint>* places = nullptr) const {
     std::vector<BoundaryLoad> all;
     for (const ContactLoad& load : loads) {
-      const LocatedPoint found = compact.locator().nearest(rotation.inverse_times(load.arm));
-      all.push_back({found.at, rotation.inverse_times(load.force), 0});
+      const LocatedPoint found = compact.locator().nearest(rotation.inverse_times(load.arm_lab));
+      all.push_back({found.at, rotation.inverse_times(load.force_lab), 0});
       if (places) places->push_back(found);
     }
     return all;
@@ -64,17 +64,17 @@ struct Loaded {
     const double turn = random.uniform(-1, 1) * amount;
     rotation = rotation.turned(turn);
     for (ContactLoad& load : loads) {
-      load.arm = Rotation::from_angle(turn) * load.arm;
-      load.force = Rotation::from_angle(turn) * load.force;
-      load.arm += 0.016 * amount * Vec2{random.uniform(-1, 1), random.uniform(-1, 1)};
-      load.force += 1e3 * amount * Vec2{random.uniform(-1, 1), random.uniform(-1, 1)};
+      load.arm_lab = Rotation::from_angle(turn) * load.arm_lab;
+      load.force_lab = Rotation::from_angle(turn) * load.force_lab;
+      load.arm_lab += 0.016 * amount * Vec2{random.uniform(-1, 1), random.uniform(-1, 1)};
+      load.force_lab += 1e3 * amount * Vec2{random.uniform(-1, 1), random.uniform(-1, 1)};
     }
     if (random.uniform(0, 1) < 0.1 && loads.size() > 1)
       loads.erase(loads.begin() + random.uniform_integer(0, unsigned(loads.size()) - 1));
     if (random.uniform(0, 1) < 0.1) {
       const std::uint32_t at = random.uniform_integer(0, unsigned(loads.size()));
       ContactLoad fresh = contact(random, at == 0 ? 0 : loads[at - 1].partner + 1);
-      fresh.force *= amount;
+      fresh.force_lab *= amount;
       if (at == loads.size() || loads[at].partner > fresh.partner)
         loads.insert(loads.begin() + at, fresh);
     }
@@ -97,7 +97,7 @@ bool within_budget(const StressChangeBound::Sensitivities& sensitivities, std::s
                    const Loaded& particle) {
   IncrementalBound watch(particle.rotation, static_cast<std::uint32_t>(weighted));
   for (std::size_t k = 0; k < particle.loads.size(); ++k)
-    watch.accumulate(sensitivities[k], particle.loads[k].arm, particle.loads[k].force);
+    watch.accumulate(sensitivities[k], particle.loads[k].arm_lab, particle.loads[k].force_lab);
   return watch.within_budget();
 }
 
@@ -129,8 +129,8 @@ struct Change {
     const Rotation turned = Rotation::from_angle(share * turn);
     after.rotation = Rotation::from_angle(before.rotation.angle() + share * turn);
     for (std::size_t k = 0; k < after.loads.size(); ++k) {
-      after.loads[k].arm = turned * (before.loads[k].arm + share * ways[k]);
-      after.loads[k].force = turned * (before.loads[k].force + share * forces[k]);
+      after.loads[k].arm_lab = turned * (before.loads[k].arm_lab + share * ways[k]);
+      after.loads[k].force_lab = turned * (before.loads[k].force_lab + share * forces[k]);
     }
     return after;
   }
@@ -200,7 +200,7 @@ TEST_CASE("a load gets weights as long as a tenth of the limit is left") {
     for (const double grown : {0.5, 0.89, 0.91, 0.99, 1.01}) {
       CAPTURE(grown);
       for (std::size_t k = 0; k < loads.size(); ++k)
-        particle.loads[k].force = (1 + grown) * loads[k].force;
+        particle.loads[k].force_lab = (1 + grown) * loads[k].force_lab;
       StressChangeBound::Sensitivities sensitivities;
       CHECK(reference.within_limit(particle.loads, particle.rotation) == (grown < 1));
       CHECK(reference.within_limit(particle.loads, particle.rotation, sensitivities) ==
@@ -256,7 +256,7 @@ TEST_CASE("for forces that change at fixed places the bound is the change itself
     StressChangeBound wide;
     const Loaded before = particle;
     for (ContactLoad& load : particle.loads)
-      load.force += Vec2{random.uniform(-300, 300), random.uniform(-300, 300)};
+      load.force_lab += Vec2{random.uniform(-300, 300), random.uniform(-300, 300)};
     const double change = frobenius(then, particle.stress());
     // The quadratic form is inflated by up to 1.3e-3; a root halves that.
     before.reset(tight, 0.999 * change);
@@ -274,7 +274,7 @@ TEST_CASE("a single force along the stiffer axis leaves the sum of norms no room
     for (std::size_t c = 0; c < before.loads.size(); ++c)
       for (const Vec2& axis : {Vec2{1, 0}, Vec2{0, 1}}) {
         Loaded after = before;
-        after.loads[c].force += before.rotation * (random.uniform(100, 300) * axis);
+        after.loads[c].force_lab += before.rotation * (random.uniform(100, 300) * axis);
         StressChangeBound reference;
         before.reset(reference, 0.999 * frobenius(then, after.stress()));
         CHECK_FALSE(reference.within_limit(after.loads, after.rotation));
@@ -306,9 +306,9 @@ TEST_CASE("loads that are not numbers are never harmless") {
   StressChangeBound reference;
   particle.reset(reference, 1e9);
   auto broken = particle.loads;
-  broken[0].force.x() = std::nan("");
+  broken[0].force_lab.x() = std::nan("");
   CHECK_FALSE(reference.within_limit(broken, particle.rotation));
   broken = particle.loads;
-  broken[0].arm.y() = std::nan("");
+  broken[0].arm_lab.y() = std::nan("");
   CHECK_FALSE(reference.within_limit(broken, particle.rotation));
 }

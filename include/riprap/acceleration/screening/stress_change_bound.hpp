@@ -13,17 +13,9 @@
 #include <riprap/acceleration/screening/corner_arc_length.hpp>
 #include <riprap/acceleration/screening/incremental_bound.hpp>
 #include <riprap/acceleration/screening/influence_operator_f32.hpp>
+#include <riprap/stress/contact_loads.hpp>
 
 namespace riprap {
-
-/// A contact force on a particle, in laboratory axes.
-struct ContactLoad {
-  Vec2 arm{0, 0};           ///< contact point from the centroid [m]
-  Vec2 force{0, 0};         ///< on the particle [N]
-  double normal_force = 0;  ///< [N]
-  std::uint32_t partner = 0;
-  std::uint32_t side = 0;  ///< of a pair, see PairIndex
-};
 
 /// The loads of one particle at its last evaluation (the reference), in its own frame, and the
 /// Frobenius norm of a change of its stresses below which it need not be evaluated again. By linear
@@ -61,7 +53,7 @@ class StressChangeBound {
     largest_norm_ = static_cast<float>(op.largest_norm());
     double forces = 0;
     for (std::size_t c = 0; c < loads.size(); ++c) {
-      const Vec2 arm = rotation.inverse_times(loads[c].arm);
+      const Vec2 arm = rotation.inverse_times(loads[c].arm_lab);
       const Vec2& force = placed[c].force;
       const BoundaryPoint& at = places[c].at;
       const double valid_radius =
@@ -148,8 +140,8 @@ class StressChangeBound {
       for (; c < count_ && contacts_[c].partner < loads[k].partner; ++c)
         remove_contact(comparison.change, c);
       MatchedLoad& matched = comparison.matched[k];
-      matched = {.load = LoadSensitivity::single(rotation.inverse_times(loads[k].arm),
-                                                 rotation.inverse_times(loads[k].force)),
+      matched = {.load = LoadSensitivity::single(rotation.inverse_times(loads[k].arm_lab),
+                                                 rotation.inverse_times(loads[k].force_lab)),
                  .contact = unmatched,
                  .moved = 0,
                  .arc = 0,

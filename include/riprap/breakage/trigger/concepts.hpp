@@ -51,6 +51,12 @@ concept BreakageTrigger =
     Policy<T> && requirements::BreakageTriggerCall<T> && requirements::BreakageTriggerStrength<T> &&
     requirements::BreakageTriggerNeeded<T>;
 
+/// A trigger that says how many failed elements it needs: its particles can be screened.
+template <class T>
+concept ScreenableTrigger = BreakageTrigger<T> && requires(const T& trigger, std::size_t elements) {
+  trigger.failed_elements_needed(elements);
+};
+
 template <class T>
 consteval bool check_trigger() {
   check_policy<T>();

@@ -3,6 +3,7 @@
 /// @file
 /// The role of the support: what takes away the rigid modes of a loaded particle.
 
+#include <concepts>
 #include <span>
 #include <type_traits>
 
@@ -30,12 +31,26 @@ concept SupportSettle =
       support.apply_reactions(loads, op);
     };
 
+/// Optional: `support.is_linear()`: whether `apply_reactions` leaves all loads as they are, so that
+/// stresses are the superposition of those due to each contact force on its own. Const; a non-const
+/// function would be ignored silently.
+template <class S>
+concept SupportLinear =
+    !requires(S& support) { support.is_linear(); } || requires(const S& support) {
+      { support.is_linear() } -> std::convertible_to<bool>;
+    };
+
 }  // namespace requirements
 
 /// A `Support` turns the contact loads of one particle into the loads that stress it.
 template <class S>
-concept Support =
-    Policy<S> && requirements::SupportFlexibility<S> && requirements::SupportSettle<S>;
+concept Support = Policy<S> && requirements::SupportFlexibility<S> &&
+                  requirements::SupportSettle<S> && requirements::SupportLinear<S>;
+
+/// A support that can be linear; `is_linear()` says whether it is. Particles can be screened under
+/// a linear one.
+template <class S>
+concept LinearSupport = Support<S> && requires(const S& support) { support.is_linear(); };
 
 template <class S>
 consteval bool check_support() {
@@ -45,6 +60,8 @@ consteval bool check_support() {
   static_assert(requirements::SupportSettle<S>,
                 "riprap: a Support must have void apply_reactions(std::span<BoundaryLoad>, const "
                 "InfluenceOperator&) const");
+  static_assert(requirements::SupportLinear<S>,
+                "riprap: is_linear of a Support must be bool is_linear() const");
   return Support<S>;
 }
 

@@ -12,9 +12,10 @@ namespace riprap {
 struct InertiaRelief {
   static constexpr bool needs_flexibility = false;
 
+  [[nodiscard]] static constexpr bool is_linear() { return true; }
   void apply_reactions(std::span<BoundaryLoad>, const InfluenceOperator&) const {}
 };
 
-static_assert(Support<InertiaRelief>);
+static_assert(LinearSupport<InertiaRelief>);
 
 }  // namespace riprap

@@ -21,6 +21,17 @@ struct SupportChoice {
   void apply_reactions(std::span<BoundaryLoad> loads, const InfluenceOperator& op) const {
     std::visit([&](const auto& support) { support.apply_reactions(loads, op); }, chosen);
   }
+  /// That of the chosen one.
+  [[nodiscard]] bool is_linear() const {
+    return std::visit(
+        [](const auto& support) {
+          if constexpr (requires { support.is_linear(); })
+            return bool{support.is_linear()};
+          else
+            return false;
+        },
+        chosen);
+  }
   void validate() const {
     std::visit([](const auto& support) { riprap::validate(support); }, chosen);
   }

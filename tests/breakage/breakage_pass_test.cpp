@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/simulation/breakage_pass.hpp>
+#include <riprap/breakage/breakage_pass.hpp>
 
 #include <doctest/doctest.h>
 
@@ -12,7 +12,7 @@
 #include <riprap/dynamics/integrator/velocity_verlet.hpp>
 #include <riprap/simulation/simulation.hpp>
 #include <riprap/stress/support/two_pinned_contacts.hpp>
-#include <support/near.hpp>
+#include <support/breakage_passes.hpp>
 
 using namespace riprap;
 using namespace riprap::test;
@@ -28,24 +28,13 @@ struct CountingSplitter {
   }
 };
 
-const ConvexPolygon square{{0, 0}, {0.016, 0}, {0.016, 0.016}, {0, 0.016}};
-const ConvexPolygon platen{{-0.02, 0}, {0.04, 0}, {0.04, 0.016}, {-0.02, 0.016}};
-
-// Two squares crushed between platens, the one that was added last on the left.
-const Assembly crushed{.particles = {{square.moved({}, {0.02, 0})},
-                                     {platen.moved({}, {0, 0.0150}), Motion::prescribed},
-                                     {platen.moved({}, {0, -0.0150}), Motion::prescribed},
-                                     {square.moved({}, {-0.015, 0})}}};
-
 }  // namespace
 
 TEST_CASE("every free particle that is overloaded has a crack") {
   const auto model = Model{};
   const Simulation sim{model, crushed, Rock{}};
-  ParticleStress<decltype(model.stress_model)> stresses(model.stress_model, Rock{});
-  BreakagePass search;
-  const auto& cracks =
-      search.find(model.breakage_model, sim.particles(), sim.contacts(), stresses, sim.mean_area());
+  Pass pass(model);
+  const auto& cracks = pass.find(sim);
   REQUIRE(cracks.size() == 2);
   CHECK(cracks[0].first == 0);
   CHECK(cracks[1].first == 3);
@@ -55,14 +44,8 @@ TEST_CASE("a refused cut is not tried again while the partners are the same") {
   int asked = 0;
   const auto model = Model{}.splitter(CountingSplitter{&asked});
   Simulation sim{model, crushed, Rock{}};
-  ParticleStress<decltype(model.stress_model)> stresses(model.stress_model, Rock{});
-  BreakagePass search;
-  const auto find = [&](const auto& simulation) {
-    return search
-        .find(model.breakage_model, simulation.particles(), simulation.contacts(), stresses,
-              simulation.mean_area())
-        .size();
-  };
+  Pass pass(model);
+  const auto find = [&](const auto& simulation) { return pass.find(simulation).size(); };
   CHECK(find(sim) == 0);
   CHECK(asked == 2);
   CHECK(find(sim) == 0);
@@ -78,44 +61,6 @@ TEST_CASE("a refused cut is not tried again while the partners are the same") {
   CHECK(asked == so_far + 1);
 }
 
-namespace {
-
-// Counts how often it is asked what it needs: once for every particle that is evaluated.
-struct CountingTrigger : FailedElementRatio {
-  int* asked = nullptr;
-  std::size_t failed_elements_needed(std::size_t elements) const {
-    ++*asked;
-    return FailedElementRatio::failed_elements_needed(elements);
-  }
-};
-
-}  // namespace
-
-TEST_CASE("a particle far from breaking is evaluated once while its loads stay as they are") {
-  int asked = 0;
-  CountingTrigger trigger;
-  trigger.asked = &asked;
-  const auto model = Model{}.trigger(trigger);
-  // A hundredth of the forces that break the squares.
-  const Simulation sim{model.contact(LinearSpringCoulomb{.normal_stiffness = 2e5}), crushed,
-                       Rock{}};
-  ParticleStress<decltype(model.stress_model)> stresses(model.stress_model, Rock{});
-  BreakagePass search;
-  const auto find = [&] {
-    return search
-        .find(model.breakage_model, sim.particles(), sim.contacts(), stresses, sim.mean_area())
-        .size();
-  };
-  CHECK(find() == 0);
-  CHECK(asked == 2);
-  CHECK(find() == 0);
-  CHECK(asked == 2);
-  // Another particle in the same place is unknown.
-  stresses.forget(3);
-  CHECK(find() == 0);
-  CHECK(asked == 3);
-}
-
 TEST_CASE("a contact that comes or goes is noticed, whatever was known before") {
   const auto model = Model{};
   const Simulation loaded{model, crushed, Rock{}};
@@ -129,39 +74,13 @@ TEST_CASE("a contact that comes or goes is noticed, whatever was known before") 
   REQUIRE(loaded.contacts().revision() == resting.contacts().revision());
   REQUIRE(loaded.contacts().revision() == free.contacts().revision());
 
-  ParticleStress<decltype(model.stress_model)> stresses(model.stress_model, Rock{});
-  BreakagePass search;
-  const auto find = [&](const auto& sim) {
-    return search
-        .find(model.breakage_model, sim.particles(), sim.contacts(), stresses, sim.mean_area())
-        .size();
-  };
-  const auto expected = [&](const auto& sim) {
-    BreakagePass fresh;
-    ParticleStress<decltype(model.stress_model)> unknown(model.stress_model, Rock{});
-    return fresh
-        .find(model.breakage_model, sim.particles(), sim.contacts(), unknown, sim.mean_area())
-        .size();
-  };
+  Pass pass(model);
+  const auto find = [&](const auto& sim) { return pass.find(sim).size(); };
+  const auto expected = [&](const auto& sim) { return Pass(model).find(sim).size(); };
   REQUIRE(expected(loaded) == 2);
   for (const auto* sim : {&free, &free, &loaded, &free, &resting, &resting, &loaded, &resting,
                           &free, &resting, &loaded})
     CHECK(find(*sim) == expected(*sim));
-}
-
-TEST_CASE("under a support that is not linear every particle is evaluated exactly") {
-  CHECK(ParticleStress<StressModel<>>::linear);
-  const auto model = Model{}.support(TwoPinnedContacts{});
-  CHECK_FALSE(ParticleStress<decltype(model.stress_model)>::linear);
-}
-
-TEST_CASE("a weak particle carries its load as a strong one would carry a larger load") {
-  const Simulation sim{Model{}, crushed, Rock{}};
-  const WeibullStrength weibull{};
-  const double area = sim.particles().shape(0).area;
-  CHECK(load_scale(weibull, sim.particles(), 0) ==
-        near_relative(1 / weibull.strength_factor(0, area), 1e-15));
-  CHECK(load_scale(FailedElementRatio{}, sim.particles(), 0) == 1);
 }
 
 namespace {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// Scale of the loads on a particle, from its strength.
+
+#include <riprap/breakage/trigger/concepts.hpp>
+#include <riprap/particle/particles.hpp>
+
+namespace riprap {
+
+/// What the stress of particle i is multiplied by: one over the particle's own strength, for
+/// triggers that know one; the criterion stays as it is.
+template <BreakageTrigger Trigger>
+[[nodiscard]] double load_scale(const Trigger& trigger, const Particles& particles, BodyIndex i) {
+  const ParticleId id = particles.ancestry(i).id;
+  const double area = particles.shape(i).area;
+  if constexpr (requires { trigger.strength_factor(id, area); })
+    return 1 / trigger.strength_factor(id, area);
+  else
+    return 1;
+}
+
+}  // namespace riprap

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// From contact geometry and motion to contact forces on the bodies.
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include <riprap/contact/contact.hpp>
+#include <riprap/contact/domain.hpp>
+#include <riprap/contact/law/concepts.hpp>
+#include <riprap/contact/task_partition.hpp>
+#include <riprap/particle/particles.hpp>
+
+namespace riprap {
+
+/// From b to the image of b in contact with a [m].
+template <class ContactType, class Domain>
+[[nodiscard]] Vec2 image_offset(const ContactType& contact, const Domain& domain) {
+  if constexpr (Domain::periodic)
+    if (contact.crosses_boundary) return domain.offset(contact.image);
+  return {0, 0};
+}
+
+/// Velocity of b's image relative to a at their contact [m/s].
+template <class ContactType, class Domain>
+[[nodiscard]] Vec2 relative_velocity(const ContactType& contact, const Particles& particles,
+                                     const Domain& domain) {
+  const Vec2 b = particles.body(contact.b).velocity_at(contact.arm_b);
+  const Vec2 a = particles.body(contact.a).velocity_at(contact.arm_a);
+  Vec2 relative{b.x() - a.x(), b.y() - a.y()};
+  if constexpr (Domain::periodic)
+    if (contact.crosses_boundary) relative += domain.velocity(contact.image);
+  return relative;
+}
+
+/// Harmonic mean of the scaled masses, halved; that of the free one of the two [kg].
+[[nodiscard]] inline double effective_mass(const Body& a, const Body& b) {
+  if (!a.is_free()) return b.mass_scaling * b.mass;
+  if (!b.is_free()) return a.mass_scaling * a.mass;
+  const double p = a.mass_scaling * a.mass;
+  const double q = b.mass_scaling * b.mass;
+  return p * q / (p + q);
+}
+
+/// Lever arms of a contact from the centroids of its bodies; platens have none.
+template <class ContactType, class Domain>
+void find_arms(ContactType& contact, const Body& a, const Body& b, const Domain& domain) {
+  const Vec2& at_a = contact.geometry.point;
+  const Vec2 at_b = contact.geometry.point - image_offset(contact, domain);
+  // Written as vectors: they are read as vectors soon after, and reading two scalar stores as one
+  // vector would defeat store forwarding.
+  contact.arm_a = at_a.array() - a.position.array();
+  contact.arm_b = at_b.array() - b.position.array();
+  if (contact.at_platen) (a.motion == Motion::platen ? contact.arm_a : contact.arm_b) = {0, 0};
+}
+
+/// Forces of the touching pairs of a task, and their sums on its bodies.
+/// @param touching indices of its touching pairs, in order
+/// @param time_step [s] of the motion that led here
+template <class ContactType, class Law, class Domain>
+void find_forces(ContactTask& task, std::span<ContactType> pairs,
+                 std::span<const std::uint32_t> touching, Particles& particles, const Law& law,
+                 const Domain& domain, double time_step) {
+  for (std::size_t i = task.first_body; i < task.last_body; ++i)
+    particles.body(static_cast<BodyIndex>(i)).contact = Wrench{};
+  task.deferred.clear();
+  double largest_overlap = 0;
+  double friction_loss = 0;
+  double viscous_loss = 0;
+  for (const std::uint32_t k : touching) {
+    ContactType& contact = pairs[k];
+    Body& a = particles.body(contact.a);
+    Body& b = particles.body(contact.b);
+    find_arms(contact, a, b, domain);
+    largest_overlap = std::max(largest_overlap, contact.geometry.area);
+    const Vec2& n = contact.geometry.normal;
+    const Vec2 relative = relative_velocity(contact, particles, domain);
+    const double along = relative.y() * n.x() - relative.x() * n.y();
+    const ContactMotion motion{.normal_velocity = relative.x() * n.x() + relative.y() * n.y(),
+                               .tangential_velocity = contact.at_platen ? 0 : along,
+                               .time_step = time_step,
+                               .effective_mass = effective_mass(a, b)};
+    const ContactForce force = law(contact.geometry, motion, contact.history);
+    contact.force = {force.normal, force.tangential};
+    friction_loss += force.friction_loss;
+    viscous_loss += force.viscous_loss;
+    const Vec2 on_b = contact.force_on_b();
+    a.contact.subtract(on_b, cross(contact.arm_a, on_b));
+    const double moment = cross(contact.arm_b, on_b);
+    if (contact.b < task.last_body)
+      b.contact.add(on_b, moment);
+    else
+      task.deferred.push_back({contact.b, {on_b, moment}});
+  }
+  task.largest_overlap = largest_overlap;
+  task.friction_loss = friction_loss;
+  task.viscous_loss = viscous_loss;
+}
+
+}  // namespace riprap

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// Every pair is evaluated on its own at every step: the detection without acceleration.
+
+#include <riprap/contact/detection/concepts.hpp>
+#include <riprap/contact/find_contact.hpp>
+
+namespace riprap {
+
+/// Nothing is kept from step to step: the narrow phase starts with an empty cache.
+struct EvaluateEachPair {
+  template <class Narrow>
+  struct State {
+    void carry(const PairMap&) {}
+    void forget(std::size_t) {}
+    void forget_all() {}
+
+    template <class Input>
+    void find(const Input& input, ContactTask& task) const {
+      std::size_t last = task.first_pair;
+      task.crossing.clear();
+      for (std::size_t k = task.first_pair; k < task.last_pair; ++k) {
+        auto& contact = input.pairs[k];
+        contact.cache = typename Narrow::Cache{};
+        if (!find_contact(contact, input.particles, input.narrow, input.domain)) continue;
+        input.touching[last++] = static_cast<std::uint32_t>(k);
+        if (contact.crosses_boundary) task.crossing.push_back(static_cast<std::uint32_t>(k));
+      }
+      task.touching = last - task.first_pair;
+    }
+  };
+};
+
+static_assert(Detection<EvaluateEachPair>);
+
+}  // namespace riprap

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// Pair list: pairs of neighbours in the order of their bodies, with their contacts.
+
+#include <algorithm>
+#include <compare>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <riprap/contact/contact.hpp>
+#include <riprap/contact/pair_map.hpp>
+#include <riprap/core/ids.hpp>
+#include <riprap/core/splitmix64.hpp>
+
+namespace riprap {
+
+/// Pairs sorted by (a, b, image), a < b: forces are summed in that order, whatever the broad phase.
+/// In a periodic domain a pair is a body and one image of another, so that two bodies may form
+/// several pairs.
+template <class ContactType>
+class PairList {
+ public:
+  using Image = decltype(ContactType::image);
+
+  [[nodiscard]] std::span<const ContactType> pairs() const { return pairs_; }
+  [[nodiscard]] std::span<ContactType> pairs() { return pairs_; }
+  [[nodiscard]] std::size_t size() const { return pairs_.size(); }
+
+  /// Revision of the list; changes whenever the sequence of pairs changes.
+  [[nodiscard]] std::uint64_t revision() const { return map_.to(); }
+  /// From the revision before to this one.
+  [[nodiscard]] const PairMap& map() const { return map_; }
+
+  /// A new list: `add` its pairs in any order, then `finish`.
+  void begin() { keys_.clear(); }
+  void add(BodyIndex a, BodyIndex b, const Image& image) { keys_.push_back({a, b, image}); }
+  /// Pairs that were in the list before keep their contact.
+  /// @param bodies number of bodies now
+  void finish(std::size_t bodies) {
+    std::sort(keys_.begin(), keys_.end());
+    sort_former_pairs();
+    next_pairs_.clear();
+    map_.begin();
+    auto former = order_.begin();
+    for (const Key& k : keys_) {
+      while (former != order_.end() && key(pairs_[*former]) < k) ++former;
+      const bool kept = former != order_.end() && key(pairs_[*former]) == k;
+      if (kept)
+        next_pairs_.push_back(pairs_[*former]);
+      else
+        next_pairs_.push_back({.a = k.a, .b = k.b, .image = k.image});
+      map_.add(kept && k.b < bodies_ ? *former : PairMap::not_present);
+    }
+    std::swap(pairs_, next_pairs_);
+    std::uint64_t revision = keys_.size();
+    for (const Key& k : keys_)
+      revision = splitmix64(revision ^ (static_cast<std::uint64_t>(k.a) << 32 | k.b));
+    map_.finish(revision);
+    bodies_ = bodies;
+  }
+
+ private:
+  struct Key {
+    BodyIndex a = 0;
+    BodyIndex b = 0;
+    [[no_unique_address]] Image image{};
+    friend auto operator<=>(const Key&, const Key&) = default;
+  };
+  [[nodiscard]] static Key key(const ContactType& contact) {
+    return {contact.a, contact.b, contact.image};
+  }
+
+  // Only a split changes the order.
+  void sort_former_pairs() {
+    order_.resize(pairs_.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    const auto before = [this](std::uint32_t p, std::uint32_t q) {
+      return key(pairs_[p]) < key(pairs_[q]);
+    };
+    if (!std::is_sorted(order_.begin(), order_.end(), before))
+      std::sort(order_.begin(), order_.end(), before);
+  }
+
+  std::vector<ContactType> pairs_;
+  PairMap map_;
+  std::size_t bodies_ = 0;
+  // Workspaces of a new list.
+  std::vector<Key> keys_;
+  std::vector<std::uint32_t> order_;
+  std::vector<ContactType> next_pairs_;
+};
+
+}  // namespace riprap

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// Partition of the pairs into the tasks of a step.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <riprap/core/execution/serial.hpp>
+#include <riprap/core/ids.hpp>
+#include <riprap/particle/body.hpp>
+
+namespace riprap {
+
+/// A wrench on a body of another task, added after all tasks have ended.
+struct DeferredWrench {
+  BodyIndex body = 0;
+  Wrench wrench;
+};
+
+/// Pairs whose first body is one of the task's own: it adds forces to its own bodies only.
+struct ContactTask {
+  std::size_t first_body = 0;
+  std::size_t last_body = 0;
+  std::size_t first_pair = 0;
+  std::size_t last_pair = 0;
+  std::vector<std::uint32_t> shared_pairs{};  ///< of earlier tasks with a body of this, in order
+  // Found by the detection.
+  std::size_t touching = 0;               ///< number of touching pairs
+  std::vector<std::uint32_t> crossing{};  ///< those across the boundary of a periodic cell
+  // Results of the forces.
+  double largest_overlap = 0;  ///< [m^2]
+  double friction_loss = 0;    ///< [J]
+  double viscous_loss = 0;     ///< [J]
+  std::vector<DeferredWrench> deferred{};
+};
+
+/// Distributes pairs that are sorted by their bodies `a` < `b` over tasks of `task_size` bodies.
+template <class ContactType>
+void partition_pairs(std::span<const ContactType> pairs, std::size_t bodies,
+                     std::vector<ContactTask>& tasks) {
+  tasks.resize(task_count(bodies));
+  auto pair = pairs.begin();
+  const auto index = [&] { return static_cast<std::size_t>(pair - pairs.begin()); };
+  for_each_task(Serial{}, bodies, [&](std::size_t t, std::size_t first, std::size_t last) {
+    ContactTask& task = tasks[t];
+    task.first_body = first;
+    task.last_body = last;
+    task.first_pair = index();
+    pair = std::partition_point(pair, pairs.end(),
+                                [last](const ContactType& c) { return c.a < last; });
+    task.last_pair = index();
+    task.touching = 0;
+    task.shared_pairs.clear();
+  });
+  for (const ContactTask& task : tasks)
+    for (std::size_t k = task.first_pair; k < task.last_pair; ++k)
+      if (pairs[k].b >= task.last_body)
+        tasks[task_of(pairs[k].b)].shared_pairs.push_back(static_cast<std::uint32_t>(k));
+}
+
+}  // namespace riprap

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// What a simulation keeps for its breakage passes.
+
+#include <cstddef>
+
+#include <riprap/breakage/breakage_input.hpp>
+#include <riprap/breakage/breakage_pass.hpp>
+#include <riprap/simulation/piece_limit.hpp>
+
+namespace riprap {
+
+/// For a criterion that never fails: nothing.
+template <class ModelType>
+struct BreakageStage {
+  explicit BreakageStage(const ModelType&) {}
+  [[nodiscard]] static std::size_t operator_bytes() { return 0; }
+  [[nodiscard]] static const InfluenceOperator* find_operator(BodyIndex) { return nullptr; }
+};
+
+/// Influence operators, screening, refused cuts and number of pieces.
+template <class ModelType>
+  requires(!decltype(ModelType::breakage_model)::never_fails)
+struct BreakageStage<ModelType> {
+  explicit BreakageStage(const ModelType& model)
+      : operators(model.acceleration_model.operator_store),
+        screening(model.breakage_model, model.stress_model) {}
+
+  /// Cracks of the present state. Throws SimulationError for a particle that has broken into too
+  /// many pieces.
+  template <class Contacts, class OnPhaseEnd>
+  const BreakagePass::Cracks& find_cracks(const ModelType& model, const Rock& rock,
+                                          double mean_area, const Particles& particles,
+                                          const Contacts& contacts, OnPhaseEnd&& on_phase_end) {
+    const BreakageInput input{.breakage = model.breakage_model,
+                              .stress = model.stress_model,
+                              .rock = rock,
+                              .mean_area = mean_area,
+                              .particles = particles,
+                              .contacts = contacts,
+                              .operators = operators,
+                              .execution = model.execution_policy};
+    const BreakagePass::Cracks& cracks = pass.find(input, screening, on_phase_end);
+    for (const auto& [i, crack] : cracks)
+      piece_limit.add_break(model.breakage_model.splitter, particles.ancestry(i));
+    return cracks;
+  }
+  /// Another particle has index i now.
+  void forget(BodyIndex i) {
+    operators.forget(i);
+    screening.forget(i);
+  }
+  [[nodiscard]] std::size_t operator_bytes() const { return operators.bytes(); }
+  [[nodiscard]] const InfluenceOperator* find_operator(BodyIndex i) const {
+    return operators.find(i);
+  }
+
+  typename decltype(ModelType::acceleration_model.operator_store)::State operators;
+  typename decltype(ModelType::acceleration_model.screening)::template State<
+      decltype(ModelType::breakage_model), decltype(ModelType::stress_model)>
+      screening;
+  BreakagePass pass;
+  PieceLimit piece_limit;
+};
+
+}  // namespace riprap

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// The parts of a model: groups of policies.
+
+#include <riprap/breakage/criterion/hoek_brown.hpp>
+#include <riprap/breakage/criterion/never_fails.hpp>
+#include <riprap/breakage/inheritance/rigid_field.hpp>
+#include <riprap/breakage/line_fit/weighted_xy.hpp>
+#include <riprap/breakage/splitter/straight_cut.hpp>
+#include <riprap/breakage/trigger/failed_element_ratio.hpp>
+#include <riprap/contact/broad_phase/uniform_grid.hpp>
+#include <riprap/contact/law/linear_spring_coulomb.hpp>
+#include <riprap/contact/narrow_phase/overlap_chord.hpp>
+#include <riprap/dynamics/boundary/strain_field.hpp>
+#include <riprap/dynamics/damping/local_damping.hpp>
+#include <riprap/dynamics/integrator/symplectic_euler.hpp>
+#include <riprap/dynamics/time_step/mass_floor.hpp>
+#include <riprap/simulation/default_acceleration.hpp>
+#include <riprap/stress/element/constant_strain_triangle.hpp>
+#include <riprap/stress/mesh/uniform_mesher.hpp>
+#include <riprap/stress/plane_state/plane_stress.hpp>
+#include <riprap/stress/support/inertia_relief.hpp>
+
+namespace riprap {
+
+/// From poses to contact forces.
+template <BroadPhase Broad = UniformGrid, NarrowPhase Narrow = OverlapChord,
+          ContactLaw Law = LinearSpringCoulomb>
+struct ContactModel {
+  Broad broad_phase{};
+  Narrow narrow_phase{};
+  Law law{};
+};
+template <class B, class N, class L>
+ContactModel(B, N, L) -> ContactModel<B, N, L>;
+
+/// From forces to motion.
+template <Integrator IntegratorT = SymplecticEuler, Damping DampingT = LocalDamping,
+          TimeStepRule Step = MassFloor, Boundary BoundaryT = StrainField>
+struct MotionModel {
+  IntegratorT integrator{};
+  DampingT damping{};
+  Step time_step{};
+  BoundaryT boundary{};
+};
+template <class I, class D, class T, class B>
+MotionModel(I, D, T, B) -> MotionModel<I, D, T, B>;
+
+/// From contact forces to the stress in every triangle of a particle.
+template <Mesher Meshing = UniformMesher, Element ElementT = ConstantStrainTriangle,
+          PlaneState Plane = PlaneStress, Support SupportT = InertiaRelief>
+struct StressModel {
+  Meshing mesher{};
+  ElementT element{};
+  Plane plane_state{};
+  SupportT support{};
+};
+template <class M, class E, class P, class S>
+StressModel(M, E, P, S) -> StressModel<M, E, P, S>;
+
+/// Has it failed, along which line, into which pieces.
+template <FailureCriterion Criterion = HoekBrown, BreakageTrigger Trigger = FailedElementRatio,
+          LineFit Fit = WeightedXY, Splitter Split = StraightCut, Inheritance Inherit = RigidField>
+struct BreakageModel {
+  static constexpr bool never_fails = riprap::never_fails<Criterion>;
+
+  Criterion criterion{};
+  Trigger trigger{};
+  Fit line_fit{};
+  Split splitter{};
+  Inherit inheritance{};
+  unsigned check_every = 1;  ///< steps between checks
+};
+template <class C, class T, class F, class S, class I>
+BreakageModel(C, T, F, S, I, unsigned) -> BreakageModel<C, T, F, S, I>;
+
+/// What only skips, batches or caches; no result depends on it. See acceleration/README.md.
+template <NeighbourList ListT = DefaultNeighbourList, Detection DetectionT = DefaultDetection,
+          Screening ScreeningT = DefaultScreening, OperatorStore StoreT = DefaultOperatorStore>
+struct AccelerationModel {
+  ListT neighbour_list{};
+  DetectionT detection{};
+  ScreeningT screening{};
+  StoreT operator_store{};
+};
+template <class N, class D, class S, class O>
+AccelerationModel(N, D, S, O) -> AccelerationModel<N, D, S, O>;
+
+}  // namespace riprap

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <riprap/conformance/acceleration.hpp>
+
+#include <doctest/doctest.h>
+
+#include <riprap/breakage/screening/evaluate_all.hpp>
+#include <riprap/contact/detection/evaluate_each_pair.hpp>
+#include <riprap/contact/neighbour_list/rebuild_every_step.hpp>
+#include <riprap/stress/operator_store/keep_all_operators.hpp>
+#include <support/violated.hpp>
+
+using namespace riprap;
+using test::check_violated;
+
+namespace {
+
+// Rebuilds after a break only, however far bodies have moved.
+struct RebuildAfterBreaks {
+  static constexpr bool uses_skin = true;
+  template <class Domain>
+  struct State : RebuildEveryStep::State<Domain> {
+    int calls = 0;
+    template <class E>
+    bool is_stale(const Particles&, const Domain&, const E&) {
+      return calls++ == 0;
+    }
+    void invalidate() { calls = 0; }
+  };
+};
+
+// Leaves out particle 5.
+struct Negligent {
+  static constexpr bool skips_particles = true;
+  template <class BreakagePart, class StressPart>
+  struct State : EvaluateAll::State<BreakagePart, StressPart> {
+    using Base = EvaluateAll::State<BreakagePart, StressPart>;
+    using Base::Base;
+    template <class Input, class IsLoaded, class OnPhaseEnd>
+    void find_candidates(const Input& input, ContactLoads& loads, IsLoaded&& is_loaded,
+                         std::vector<BodyIndex>& candidates, OnPhaseEnd&& end) const {
+      Base::find_candidates(input, loads, is_loaded, candidates, end);
+      std::erase_if(candidates, [](BodyIndex i) { return i > 4; });
+    }
+  };
+};
+
+}  // namespace
+
+TEST_CASE("no result depends on what only accelerates") {
+  CHECK(to_text(acceleration_violations(Model{})) == "");
+  const auto plain = Model{}.without_acceleration();
+  CHECK(to_text(acceleration_violations(plain.neighbour_list(DefaultNeighbourList{}))) == "");
+  CHECK(to_text(acceleration_violations(Model{}.screening(EvaluateAll{}))) == "");
+}
+
+TEST_CASE("a list that is rebuilt too late and a screening that leaves out too many are found") {
+  check_violated(acceleration_violations(Model{}.neighbour_list(RebuildAfterBreaks{})),
+                 "contact forces are the same: difference");
+  check_violated(acceleration_violations(Model{}.screening(Negligent{})),
+                 "as many particles break");
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <riprap/contact/contact_forces.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <riprap/contact/law/linear_spring_coulomb.hpp>
+#include <support/near.hpp>
+#include <support/rectangle.hpp>
+
+using namespace riprap;
+using test::near;
+using test::near_relative;
+using test::rectangle;
+
+namespace {
+
+struct NoCache {};
+template <class Image>
+using Pair = Contact<LinearSpringCoulomb::History, NoCache, Image>;
+
+}  // namespace
+
+TEST_CASE("the effective mass of two free bodies is their product over their sum") {
+  Particles particles(1, 1000);
+  particles.add(rectangle({0, 0}, 2, 1), Motion::free);        // 2000 kg
+  particles.add(rectangle({0, 1}, 1, 1), Motion::free);        // 1000 kg
+  particles.add(rectangle({0, 2}, 1, 1), Motion::prescribed);  // as if infinite
+  CHECK(effective_mass(particles.body(0), particles.body(1)) == near_relative(2000.0 / 3, 1e-12));
+  CHECK(effective_mass(particles.body(0), particles.body(2)) == near_relative(2000, 1e-12));
+  CHECK(effective_mass(particles.body(2), particles.body(1)) == near_relative(1000, 1e-12));
+}
+
+TEST_CASE("the wrench on a body of another task is deferred, the other is added at once") {
+  Particles particles(1, 1000);
+  particles.add(rectangle({0, 0}, 1, 1), Motion::free);
+  particles.add(rectangle({0.99, 0.2}, 1, 1), Motion::free);
+  std::vector<Pair<UnboundedDomain::Image>> pairs{{.a = 0, .b = 1}};
+  pairs[0].touching = true;
+  pairs[0].geometry = {
+      .normal = {1, 0}, .point = {0.495, 0.1}, .depth = 0.01, .area = 0.008, .chord = 0.8};
+  const std::vector<std::uint32_t> touching{0};
+  const LinearSpringCoulomb law{.normal_stiffness = 1e6};
+  ContactTask task{.first_body = 0, .last_body = 1, .last_pair = 1};
+  find_forces(task, std::span(pairs), std::span<const std::uint32_t>(touching), particles, law,
+              UnboundedDomain{}, 0);
+  CHECK(task.largest_overlap == 0.008);
+  CHECK(particles.body(0).contact.force.x() == near_relative(-1e4, 1e-12));
+  CHECK(particles.body(0).contact.moment == near_relative(1e3, 1e-12));  // 0.1 m above the centroid
+  CHECK(particles.body(1).contact.force.norm() == 0);
+  REQUIRE(task.deferred.size() == 1);
+  CHECK(task.deferred[0].body == 1);
+  CHECK(task.deferred[0].wrench.force.x() == near_relative(1e4, 1e-12));
+  CHECK(task.deferred[0].wrench.moment == near_relative(1e3, 1e-9));  // 0.1 m below the centroid
+}
+
+TEST_CASE("arms and velocities of an image are those of the body, moved by the period") {
+  Particles particles(1, 1000);
+  particles.add(rectangle({0, 0}, 1, 1), Motion::free);
+  particles.add(rectangle({9.01, 0}, 1, 1), Motion::free);
+  particles.body(1).velocity = {2, 0};
+  const PeriodicDomain domain{.period = {10, 10}, .rate = {0.1, 0}};
+  Pair<PeriodicDomain::Image> pair{
+      .a = 0, .b = 1, .image = {-1, 0}, .touching = true, .crosses_boundary = true};
+  pair.geometry.point = {-0.495, 0};
+  find_arms(pair, particles.body(0), particles.body(1), domain);
+  CHECK(pair.arm_a.x() == near(-0.495, 1e-12));
+  CHECK(pair.arm_b.x() == near(0.495, 1e-12));
+  // The image recedes at the rate of the cell times its offset of -10 m.
+  CHECK(relative_velocity(pair, particles, domain).x() == near(2 + 1, 1e-12));
+}
