@@ -3,14 +3,12 @@
 /// @file
 /// Overlap of one or two corners of a convex ring with a single edge of another, in closed form.
 
-#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <type_traits>
-#include <utility>
 
+#include <riprap/core/simd.hpp>
 #include <riprap/core/vec2.hpp>
 #include <riprap/geometry/corner_edge_feature.hpp>
 #include <riprap/geometry/line_side.hpp>
@@ -35,61 +33,49 @@ struct CornerEdgeQuery {
   const CornerEdgeFeature* place;
 };
 
-/// Number of overlaps evaluated at once (SIMD): that of doubles in a vector register. Each lane
-/// computes what a scalar evaluation would, so that results do not depend on the number.
-#ifdef __AVX__
-inline constexpr std::size_t simd_lanes = 4;
-#else
-inline constexpr std::size_t simd_lanes = 2;
-#endif
-using CornerEdgeQueries = std::array<CornerEdgeQuery, simd_lanes>;
-
 namespace internal {
 
-using Lanes = Eigen::Array<double, simd_lanes, 1>;
+// The formula is written once, for numbers of type N: a double, or several of them (SIMD). Always
+// inlined: passed through memory, vectors would cost what they save.
 
-// A vertex of every query, relative to an origin. Always inlined: passed through memory, the lanes
-// would cost what they save.
-struct VertexLanes {
-  Lanes x, y;
+// A vertex of every query, relative to an origin.
+template <class N>
+struct QueryVertex {
+  N x, y;
 
-  [[gnu::always_inline]] VertexLanes(const CornerEdgeQueries& queries,
+  [[gnu::always_inline]] QueryVertex(const CornerEdgeQuery* queries,
                                      const Vec2* CornerEdgeQuery::*ring,
                                      std::uint8_t CornerEdgeFeature::*vertex) {
     const auto at = [&](std::size_t l) __attribute__((always_inline))->const Vec2& {
       return (queries[l].*ring)[queries[l].place->*vertex];
     };
-    if constexpr (simd_lanes == 2) {
-      x = {at(0).x(), at(1).x()};
-      y = {at(0).y(), at(1).y()};
-    } else {
-      x = {at(0).x(), at(1).x(), at(2).x(), at(3).x()};
-      y = {at(0).y(), at(1).y(), at(2).y(), at(3).y()};
-    }
+    x = gather_lanes<N>([&](std::size_t l) __attribute__((always_inline)) { return at(l).x(); });
+    y = gather_lanes<N>([&](std::size_t l) __attribute__((always_inline)) { return at(l).y(); });
   }
-  [[gnu::always_inline]] VertexLanes(const VertexLanes& v, const VertexLanes& origin)
+  [[gnu::always_inline]] QueryVertex(const QueryVertex& v, const QueryVertex& origin)
       : x(v.x - origin.x), y(v.y - origin.y) {}
 };
 
 // Where the boundary crosses the edge, going in or coming out. All but `inside` times the edge's
 // length.
-struct CrossingLanes {
-  VertexLanes inside;  // the vertex beyond the edge
-  Lanes deep;          // how far it lies beyond
-  Lanes high;          // how far its neighbour lies on this side
-  Lanes inside_along;  // along the edge, from its start
-  Lanes along;         // the crossing, likewise
+template <class N>
+struct EdgeCrossing {
+  QueryVertex<N> inside;  // the vertex beyond the edge
+  N deep;                 // how far it lies beyond
+  N high;                 // how far its neighbour lies on this side
+  N inside_along;         // along the edge, from its start
+  N along;                // the crossing, likewise
 
-  [[gnu::always_inline]] CrossingLanes(const CornerEdgeQueries& queries, const VertexLanes& start,
-                                       const VertexLanes& edge,
-                                       std::uint8_t CornerEdgeFeature::*beyond,
-                                       std::uint8_t CornerEdgeFeature::*neighbour)
+  [[gnu::always_inline]] EdgeCrossing(const CornerEdgeQuery* queries, const QueryVertex<N>& start,
+                                      const QueryVertex<N>& edge,
+                                      std::uint8_t CornerEdgeFeature::*beyond,
+                                      std::uint8_t CornerEdgeFeature::*neighbour)
       : inside({queries, &CornerEdgeQuery::other, beyond}, start) {
-    const VertexLanes outside({queries, &CornerEdgeQuery::other, neighbour}, start);
+    const QueryVertex<N> outside({queries, &CornerEdgeQuery::other, neighbour}, start);
     deep = edge.x * inside.y - edge.y * inside.x;
     high = edge.y * outside.x - edge.x * outside.y;
     inside_along = edge.x * inside.x + edge.y * inside.y;
-    const Lanes outside_along = edge.x * outside.x + edge.y * outside.y;
+    const N outside_along = edge.x * outside.x + edge.y * outside.y;
     along = inside_along + deep / (deep + high) * (outside_along - inside_along);
   }
 };
@@ -101,6 +87,67 @@ struct CrossingLanes {
          inside_other_edges(ring, q.place->edge, q.other[q.place->last], margin);
 }
 
+// Calls `found` with the overlap of each query that has one; as many queries as N has lanes.
+template <class N, class Found>
+[[gnu::always_inline]] inline void find_corner_edge_overlaps(const CornerEdgeQuery* queries,
+                                                             Found&& found) {
+  using Feature = CornerEdgeFeature;
+  constexpr double margin = 1e-8;
+  const QueryVertex<N> start(queries, &CornerEdgeQuery::ring, &Feature::edge);
+  const QueryVertex<N> edge({queries, &CornerEdgeQuery::ring, &Feature::edge_end}, start);
+  const N squared = edge.x * edge.x + edge.y * edge.y;
+  const EdgeCrossing<N> in(queries, start, edge, &Feature::first, &Feature::before);
+  const EdgeCrossing<N> out(queries, start, edge, &Feature::last, &Feature::after);
+  const N width = in.along - out.along;
+  const N least = smaller(smaller(smaller(in.deep, in.high), smaller(out.deep, out.high)),
+                          smaller(out.along, smaller(width, N(squared - in.along))));
+  const N clear = margin * squared;
+
+  // The triangle of the edge and the opposite vertex contains most points inside the ring near the
+  // edge, and testing it is cheaper than testing all edges.
+  const QueryVertex<N> opposite({queries, &CornerEdgeQuery::ring, &Feature::opposite}, start);
+  const N twice_area = edge.x * opposite.y - edge.y * opposite.x;
+  const N left_in = in.inside.x * opposite.y - in.inside.y * opposite.x;
+  const N left_out = out.inside.x * opposite.y - out.inside.y * opposite.x;
+  // No less than the square of the sum of the lengths of two sides.
+  const N size = 4 * (squared + opposite.x * opposite.x + opposite.y * opposite.y);
+  const N inside = smaller(smaller(left_in, N(twice_area - in.deep - left_in)),
+                           smaller(left_out, N(twice_area - out.deep - left_out))) -
+                   2 * margin * size;
+
+  const N length = square_root(squared);
+  const N scale = 1 / length;
+  const N middle = 0.5 * (in.along + out.along) * scale * scale;
+  const N normal_x = edge.y * scale;
+  const N normal_y = -edge.x * scale;
+  const N middle_x = start.x + middle * edge.x;
+  const N middle_y = start.y + middle * edge.y;
+  const N depth = larger(in.deep, out.deep) * scale;
+  const N chord = width * scale;
+  const N quadrangle =
+      0.5 * scale * scale *
+      ((in.inside_along - out.along) * out.deep + (in.along - out.inside_along) * in.deep);
+  const auto report = [&](std::size_t l) __attribute__((always_inline)) {
+    if (!(lane(least, l) > lane(clear, l))) return;
+    if (!(lane(inside, l) > 0) && !inside_all(queries[l], margin * lane(length, l))) return;
+    const bool one_vertex = queries[l].place->one_vertex();
+    found(l, CornerEdgeOverlap{.normal = {lane(normal_x, l), lane(normal_y, l)},
+                               .middle = {lane(middle_x, l), lane(middle_y, l)},
+                               .depth = lane(depth, l),
+                               .area = one_vertex ? 0.5 * lane(chord, l) * lane(depth, l)
+                                                  : lane(quadrangle, l),
+                               .chord = lane(chord, l),
+                               .one_vertex = one_vertex});
+  };
+  // Not a loop, so that every lane is a constant.
+  report(0);
+  if constexpr (lanes_of<N> > 1) report(1);
+  if constexpr (lanes_of<N> > 2) {
+    report(2);
+    report(3);
+  }
+}
+
 }  // namespace internal
 
 /// Overlaps at the given features, if the overlap of the two convex rings consists of that alone:
@@ -110,80 +157,27 @@ struct CrossingLanes {
 /// conditions hold by a margin of 1e-8 of the edge's length: far above the round-off of
 /// coordinates, so that exact arithmetic would agree. Only where a long side nearly grazes a short
 /// edge can the error of the crossing be larger.
+/// @tparam lanes number of overlaps evaluated at once (SIMD); results do not depend on it
 /// @param found called with the index of every query that has an overlap, and the overlap
-template <class Found>
-[[gnu::flatten]] void find_corner_edge_overlaps(const CornerEdgeQueries& queries, Found&& found) {
-  using Feature = CornerEdgeFeature;
-  using Numbers = internal::Lanes;
-  using internal::CrossingLanes;
-  using internal::VertexLanes;
-  constexpr double margin = 1e-8;
-  const VertexLanes start(queries, &CornerEdgeQuery::ring, &Feature::edge);
-  const VertexLanes edge({queries, &CornerEdgeQuery::ring, &Feature::edge_end}, start);
-  const Numbers squared = edge.x * edge.x + edge.y * edge.y;
-  const CrossingLanes in(queries, start, edge, &Feature::first, &Feature::before);
-  const CrossingLanes out(queries, start, edge, &Feature::last, &Feature::after);
-  const Numbers width = in.along - out.along;
-  const Numbers least = in.deep.min(in.high)
-                            .min(out.deep.min(out.high))
-                            .min(out.along.min(width.min(squared - in.along)));
-  const Numbers clear = margin * squared;
-
-  // The triangle of the edge and the opposite vertex contains most points inside the ring near the
-  // edge, and testing it is cheaper than testing all edges.
-  const VertexLanes opposite({queries, &CornerEdgeQuery::ring, &Feature::opposite}, start);
-  const Numbers twice_area = edge.x * opposite.y - edge.y * opposite.x;
-  const Numbers left_in = in.inside.x * opposite.y - in.inside.y * opposite.x;
-  const Numbers left_out = out.inside.x * opposite.y - out.inside.y * opposite.x;
-  // No less than the square of the sum of the lengths of two sides.
-  const Numbers size = 4 * (squared + opposite.x * opposite.x + opposite.y * opposite.y);
-  const Numbers inside = left_in.min(twice_area - in.deep - left_in)
-                             .min(left_out.min(twice_area - out.deep - left_out)) -
-                         2 * margin * size;
-
-  const Numbers length = squared.sqrt();
-  const Numbers scale = length.inverse();
-  const Numbers middle = 0.5 * (in.along + out.along) * scale * scale;
-  const Numbers normal_x = edge.y * scale;
-  const Numbers normal_y = -edge.x * scale;
-  const Numbers middle_x = start.x + middle * edge.x;
-  const Numbers middle_y = start.y + middle * edge.y;
-  const Numbers depth = in.deep.max(out.deep) * scale;
-  const Numbers chord = width * scale;
-  const Numbers quadrangle =
-      0.5 * scale * scale *
-      ((in.inside_along - out.along) * out.deep + (in.along - out.inside_along) * in.deep);
-  const auto report = [&]<Eigen::Index k>(std::integral_constant<Eigen::Index, k>)
-      __attribute__((always_inline)) {
-    constexpr auto l = static_cast<std::size_t>(k);
-    const bool crossed = least[k] > clear[k];
-    if (!crossed) return;
-    if (!(inside[k] > 0) && !internal::inside_all(queries[l], margin * length[k])) return;
-    const bool one_vertex = queries[l].place->one_vertex();
-    found(l, CornerEdgeOverlap{.normal = {normal_x[k], normal_y[k]},
-                               .middle = {middle_x[k], middle_y[k]},
-                               .depth = depth[k],
-                               .area = one_vertex ? 0.5 * chord[k] * depth[k] : quadrangle[k],
-                               .chord = chord[k],
-                               .one_vertex = one_vertex});
-  };
-  [&]<std::size_t... l>(std::index_sequence<l...>) __attribute__((always_inline)) {
-    (report(std::integral_constant<Eigen::Index, l>{}), ...);
-  }
-  (std::make_index_sequence<simd_lanes>{});
+template <std::size_t lanes = native_lanes, std::size_t count, class Found>
+[[gnu::flatten]] void find_corner_edge_overlaps(const std::array<CornerEdgeQuery, count>& queries,
+                                                Found&& found) {
+  static_assert(count % lanes == 0);
+  for (std::size_t first = 0; first < count; first += lanes)
+    internal::find_corner_edge_overlaps<Simd<double, lanes>>(
+        queries.data() + first, [&](std::size_t l, const CornerEdgeOverlap& overlap)
+                                    __attribute__((always_inline)) { found(first + l, overlap); });
 }
 
-/// The cap of a single question, or nothing.
-[[nodiscard]] inline std::optional<CornerEdgeOverlap>
+/// The overlap at one feature, or nothing.
+[[nodiscard, gnu::flatten]] inline std::optional<CornerEdgeOverlap>
 corner_edge_overlap(Ring ring, Ring other, const CornerEdgeFeature& place) {
   if (!place.fits(ring, other)) return std::nullopt;
-  CornerEdgeQueries queries;
-  queries.fill({ring.data(), other.data(), &place});
-  std::optional<CornerEdgeOverlap> cap;
-  find_corner_edge_overlaps(queries, [&](std::size_t l, const CornerEdgeOverlap& one) {
-    if (l == 0) cap = one;
-  });
-  return cap;
+  const CornerEdgeQuery query{ring.data(), other.data(), &place};
+  std::optional<CornerEdgeOverlap> found;
+  internal::find_corner_edge_overlaps<double>(
+      &query, [&](std::size_t, const CornerEdgeOverlap& overlap) { found = overlap; });
+  return found;
 }
 
 }  // namespace riprap

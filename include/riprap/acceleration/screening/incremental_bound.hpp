@@ -3,18 +3,16 @@
 /// @file
 /// Linear bound on the change of a particle's stresses, accumulated contact by contact.
 
-#include <bit>
 #include <cstdint>
 #include <limits>
 
+#include <riprap/core/simd.hpp>
 #include <riprap/core/vec2.hpp>
 
 namespace riprap {
 
-/// SIMD vectors.
-using FourFloats = float __attribute__((vector_size(16)));
-using FourBits = std::int32_t __attribute__((vector_size(16)));
-using FourDoubles = double __attribute__((vector_size(32)));
+/// Components of an arm and a force, x and y of each.
+using FourFloats = Simd<float, 4>;
 
 /// Arm [m] and force [N] of one contact of a particle, in the particle's own frame, and weights:
 /// the part of a budget of one that a unit change of each component uses up. Default: NaN weights,
@@ -31,7 +29,7 @@ struct alignas(32) LoadSensitivity {
 
   /// Arm and force in the layout of `load`.
   [[nodiscard]] static FourFloats single(const Vec2& arm, const Vec2& force) {
-    const FourDoubles exact{arm.x(), arm.y(), force.x(), force.y()};
+    const Simd<double, 4> exact{arm.x(), arm.y(), force.x(), force.y()};
     return __builtin_convertvector(exact, FourFloats);
   }
 
@@ -50,10 +48,6 @@ struct alignas(32) LoadSensitivity {
     LoadSensitivity other = *this;
     other.load = FourFloats{load[0], load[1], -load[2], -load[3]};
     return other;
-  }
-
-  [[nodiscard]] static FourFloats magnitude(const FourFloats& x) {
-    return std::bit_cast<FourFloats>(std::bit_cast<FourBits>(x) & 0x7FFFFFFF);
   }
 };
 
@@ -79,7 +73,7 @@ class IncrementalBound {
     const FourFloats load = LoadSensitivity::single(arm, force);
     const FourFloats across = __builtin_shufflevector(load, load, 1, 0, 3, 2);
     const FourFloats change = load * cosine_ + across * sine_ - known.load;
-    spent_ += LoadSensitivity::magnitude(change) * known.weights;
+    spent_ += magnitude(change) * known.weights;
     --missing_;
   }
 

@@ -58,7 +58,7 @@ struct OverlapChord {
   class Batch {
    public:
     using Of = OverlapChord;
-    static constexpr std::size_t capacity = simd_lanes;
+    static constexpr std::size_t capacity = 4;
 
     [[nodiscard]] std::size_t size() const { return size_; }
     void clear() { size_ = 0; }
@@ -77,7 +77,7 @@ struct OverlapChord {
    private:
     friend OverlapChord;
     std::size_t size_ = 0;
-    CornerEdgeQueries queries_;
+    std::array<CornerEdgeQuery, capacity> queries_;
     std::array<double, capacity> signs_;
     std::array<ContactGeometry*, capacity> contacts_;
   };
