@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include <riprap/dynamics/body_force/uniform_body_force.hpp>
 #include <support/fake_contacts.hpp>
 #include <support/near.hpp>
 
@@ -85,7 +86,8 @@ TEST_CASE("a body force is part of the resultant: a body that rests on its suppo
   state.particles.body(0).contact.force = {0, 2 * 9.81};
   state.particles.body(1).contact.force = {0, 2 * 9.81};
   const auto unbalanced = [&](const Vec2& body_force) {
-    return state_averages(state.contacts, state.particles, body_force).unbalanced_force;
+    return state_averages(state.contacts, state.particles, UniformBodyForce{body_force})
+        .unbalanced_force;
   };
   CHECK(unbalanced({0, -9.81}) == near(0, 1e-15));
   // Mean contact force 9 N.

@@ -58,6 +58,7 @@ TEST_CASE("a whole simulation of archetypes breaks a square as the models behind
                               .contact(archetype::ContactLaw{0})
                               .integrator(archetype::Integrator{0})
                               .damping(archetype::Damping{0})
+                              .body_force(archetype::BodyForce{0})
                               .time_step(archetype::TimeStepRule{0})
                               .boundary(archetype::Boundary{0})
                               .mesher(archetype::Mesher{0})

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include <riprap/dynamics/body_force/uniform_body_force.hpp>
 #include <riprap/dynamics/damping/viscous_damping.hpp>
 #include <riprap/dynamics/integrator/symplectic_euler.hpp>
 #include <riprap/dynamics/integrator/velocity_verlet.hpp>
@@ -18,8 +19,9 @@ namespace {
 
 template <class Scheme>
 struct Motion2 {
-  Scheme integrator;
+  Scheme integrator{};
   ViscousDamping damping{.rate = 10};
+  UniformBodyForce body_force{};
 };
 
 constexpr double dt = 1e-3;
@@ -43,8 +45,8 @@ TEST_CASE_TEMPLATE("kinetic energy is what contacts, body force and damping leav
                    SymplecticEuler, VelocityVerlet) {
   Particles particles = pushed();
   const Body before = particles.body(0);
-  const Motion2<Scheme> motion;
-  const BodyStep step(motion, UnboundedDomain{}, Vec2{0, -9.81}, dt);
+  const Motion2<Scheme> motion{.body_force = {{0, -9.81}}};
+  const BodyStep step(motion, UnboundedDomain{}, dt);
   CHECK(step.first_kick_time() + step.second_kick_time() == near(dt, 1e-18));
   BodyWork work = step.advance(particles, 0, 2);
   if (step.has_second_kick) work += step.second_kick(particles, 0, 2);
@@ -63,16 +65,16 @@ TEST_CASE_TEMPLATE("kinetic energy is what contacts, body force and damping leav
 
 TEST_CASE("a driven body drifts at its velocity whatever pushes it, and vertices follow") {
   Particles particles = pushed();
-  const Motion2<SymplecticEuler> motion;
-  (void)BodyStep(motion, UnboundedDomain{}, Vec2{0, 0}, dt).advance(particles, 0, 2);
+  const Motion2<SymplecticEuler> motion{};
+  (void)BodyStep(motion, UnboundedDomain{}, dt).advance(particles, 0, 2);
   CHECK(particles.body(1).velocity == Vec2{3, 0});
   CHECK(particles.ring(1)[0].x() == near(5 + 3 * dt, 1e-15));
   CHECK(particles.ring(0)[0].x() > 3 * dt * 0.98);
 }
 
 TEST_CASE("a state that is no longer finite is an error that names the particle, free or driven") {
-  const Motion2<SymplecticEuler> motion;
-  const BodyStep step(motion, UnboundedDomain{}, Vec2{0, 0}, dt);
+  const Motion2<SymplecticEuler> motion{};
+  const BodyStep step(motion, UnboundedDomain{}, dt);
   Particles particles = pushed();
   particles.body(0).contact.force.x() = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH_AS((void)step.advance(particles, 0, 2),
@@ -89,8 +91,8 @@ TEST_CASE("a state that is no longer finite is an error that names the particle,
 }
 
 TEST_CASE("a body that a step would take past others is an error with its speed and the step") {
-  const Motion2<SymplecticEuler> motion;
-  const BodyStep step(motion, UnboundedDomain{}, Vec2{0, 0}, dt);
+  const Motion2<SymplecticEuler> motion{};
+  const BodyStep step(motion, UnboundedDomain{}, dt);
   // Half the circumradius of the unit squares, 0.354 m, in a millisecond.
   for (const BodyIndex i : {0u, 1u}) {
     Particles slow = pushed();

@@ -107,6 +107,13 @@ struct Integrator : Copyable {
   }
 };
 
+struct BodyForce : Copyable {
+  using Copyable::Copyable;
+  Gives<Vec2> operator()(Takes<Body> body) const {
+    return Gives<Vec2>(UniformBodyForce{}(body.get()));
+  }
+};
+
 struct Damping : Copyable {
   using Copyable::Copyable;
   Gives<Wrench> operator()(Takes<Body> body, Takes<Wrench> applied) const {

@@ -13,6 +13,7 @@
 #include <riprap/contact/contact_list.hpp>
 #include <riprap/contact/law/linear_spring_coulomb.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
+#include <riprap/dynamics/body_force/uniform_body_force.hpp>
 #include <riprap/dynamics/boundary/strain_field.hpp>
 #include <riprap/experiment/stage.hpp>
 #include <riprap/particle/assembly.hpp>
@@ -85,14 +86,14 @@ class StillSample {
   [[nodiscard]] const std::vector<BreakEvent>& breaks() const { return breaks_; }
   [[nodiscard]] const Work& work() const { return work_; }
   [[nodiscard]] double time_step() const { return time_step_; }
-  [[nodiscard]] const Vec2& body_force() const { return body_force_; }
+  [[nodiscard]] const UniformBodyForce& body_force() const { return body_force_; }
 
   [[nodiscard]] Body& body(BodyIndex i) { return particles_.body(i); }
   [[nodiscard]] std::vector<BreakEvent>& breaks() { return breaks_; }
   [[nodiscard]] Work& work() { return work_; }
   void set_time_step(double seconds) { time_step_ = seconds; }
   void set_loss(double joules) { contacts_.law().loss = joules; }
-  void set_body_force(const Vec2& acceleration) { body_force_ = acceleration; }
+  void set_body_force(const Vec2& acceleration) { body_force_ = {acceleration}; }
   /// Loads the tangential springs: the driven squares have slid counter-clockwise by this much [m]
   /// on their way to where they are.
   void slide(double distance) {
@@ -109,7 +110,7 @@ class StillSample {
   StrainField boundary_;
   std::vector<BreakEvent> breaks_;
   Work work_;
-  Vec2 body_force_{0, 0};
+  UniformBodyForce body_force_{};
   double time_step_ = 1e-6;
 };
 

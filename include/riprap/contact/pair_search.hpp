@@ -39,7 +39,8 @@ class PairSearch {
   template <class Visit>
   PairExtent visit_pairs(const Particles& particles, const Domain& domain, bool with_skin,
                          Visit&& visit) {
-    PairExtent extent = enclose(particles, with_skin ? broad_.relative_skin : 0);
+    const double relative_skin = broad_.relative_skin;
+    PairExtent extent = enclose(particles, with_skin ? relative_skin : 0);
     if constexpr (Domain::periodic) extent.farthest_image = add_images(particles, domain);
     const auto visit_boxes = [&](BodyIndex i, BodyIndex j) {
       Image image{};

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 
+#include <riprap/dynamics/body_force/no_body_force.hpp>
 #include <riprap/measurement/energy.hpp>
 #include <riprap/particle/particles.hpp>
 
@@ -53,10 +54,10 @@ struct StateAverages {
   }
 };
 
-/// @param body_force acceleration [m/s^2]: part of the resultant on a free body
-template <class Contacts>
+/// @param body_force part of the resultant on a free body
+template <class Contacts, BodyForce F = NoBodyForce>
 [[nodiscard]] StateAverages state_averages(const Contacts& contacts, const Particles& particles,
-                                           const Vec2& body_force = Vec2{0, 0}) {
+                                           const F& body_force = {}) {
   StateAverages n;
   double force = 0;
   contacts.for_each_touching([&](const auto& c) {
@@ -71,7 +72,7 @@ template <class Contacts>
   for (const Body& body : particles.bodies()) {
     if (!body.is_free()) continue;
     ++free;
-    resultant += (body.contact.force + body.mass * body_force).norm();
+    resultant += (body.contact.force + body.mass * body_force(body)).norm();
   }
   n.kinetic_energy = kinetic_energy(particles);
   n.stored_energy = stored_energy(contacts);

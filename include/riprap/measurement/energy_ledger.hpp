@@ -16,7 +16,7 @@ namespace riprap {
 ///                                   + law_residual + unclosed.
 struct EnergyTerms {
   double boundary_work = 0;    ///< done by driven bodies, or by the shrinking of a periodic cell
-  double body_force_work = 0;  ///< done by the uniform body force
+  double body_force_work = 0;  ///< done by the body force
   double kinetic = 0;          ///< change of kinetic energy of the free bodies
   double stored = 0;           ///< change of energy stored in the contacts
   double slip = 0;             ///< lost in sliding

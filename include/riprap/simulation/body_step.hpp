@@ -15,7 +15,7 @@ namespace riprap {
 /// Energy that has passed through the bodies since the start [J]; contacts book their own.
 struct BodyWork {
   double boundary = 0;    ///< done by driven bodies, or by a shrinking cell, on the rest
-  double body_force = 0;  ///< done by the uniform body force
+  double body_force = 0;  ///< done by the body force
   double damping = 0;     ///< taken out by damping
 
   BodyWork& operator+=(const BodyWork& o) {
@@ -28,15 +28,15 @@ struct BodyWork {
 
 /// Moves free bodies by the integrator and driven ones at their velocity. Each kick's work is
 /// booked with the velocities before and after it.
-/// @tparam MotionPart offers `integrator` and `damping`
+/// @tparam MotionPart offers `integrator`, `damping` and `body_force`
 template <class MotionPart, class Domain>
 class BodyStep {
  public:
   static constexpr bool has_second_kick = decltype(MotionPart::integrator)::has_second_kick;
 
-  /// @param body_force acceleration of the uniform body force [m/s^2]; @param time_step [s]
-  BodyStep(const MotionPart& motion, const Domain& domain, const Vec2& body_force, double time_step)
-      : motion_(motion), domain_(domain), body_force_(body_force), time_step_(time_step) {}
+  /// @param time_step [s]
+  BodyStep(const MotionPart& motion, const Domain& domain, double time_step)
+      : motion_(motion), domain_(domain), time_step_(time_step) {}
 
   /// Time of the first and of the second kick [s].
   [[nodiscard]] double first_kick_time() const {
@@ -96,15 +96,16 @@ class BodyStep {
   void kick_free(Body& body, double kick_time, BodyWork& work, Kick&& kick) const {
     const Vec2 velocity_before = body.velocity;
     const double spin_before = body.angular_velocity;
+    const Vec2 acceleration = motion_.body_force(body);
     Wrench total = body.contact;
-    total.add({body.mass * body_force_.x(), body.mass * body_force_.y()}, 0);
+    total.add({body.mass * acceleration.x(), body.mass * acceleration.y()}, 0);
     const Wrench damped = motion_.damping(seen_by_damping(body), total);
     total.add(damped.force, damped.moment);
     kick(body, total);
     const double x = 0.5 * (velocity_before.x() + body.velocity.x());
     const double y = 0.5 * (velocity_before.y() + body.velocity.y());
     const double spin = 0.5 * (spin_before + body.angular_velocity);
-    work.body_force += kick_time * body.mass * (body_force_.x() * x + body_force_.y() * y);
+    work.body_force += kick_time * body.mass * (acceleration.x() * x + acceleration.y() * y);
     work.damping -=
         kick_time * (damped.force.x() * x + damped.force.y() * y + damped.moment * spin);
   }
@@ -161,7 +162,6 @@ class BodyStep {
 
   const MotionPart& motion_;
   [[no_unique_address]] Domain domain_;
-  Vec2 body_force_;
   double time_step_;
 };
 

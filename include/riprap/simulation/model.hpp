@@ -58,28 +58,35 @@ struct Model {
   template <class P>
   [[nodiscard]] auto integrator(P policy) const {
     return with_motion<check_integrator<P>()>([&](const auto& m) {
-      return MotionModel{std::move(policy), m.damping, m.time_step, m.boundary};
+      return MotionModel{std::move(policy), m.damping, m.time_step, m.boundary, m.body_force};
     });
   }
   /// What takes energy out beside the contacts.
   template <class P>
   [[nodiscard]] auto damping(P policy) const {
     return with_motion<check_damping<P>()>([&](const auto& m) {
-      return MotionModel{m.integrator, std::move(policy), m.time_step, m.boundary};
+      return MotionModel{m.integrator, std::move(policy), m.time_step, m.boundary, m.body_force};
     });
   }
   /// How the time step is chosen.
   template <class P>
   [[nodiscard]] auto time_step(P policy) const {
     return with_motion<check_time_step<P>()>([&](const auto& m) {
-      return MotionModel{m.integrator, m.damping, std::move(policy), m.boundary};
+      return MotionModel{m.integrator, m.damping, std::move(policy), m.boundary, m.body_force};
     });
   }
   /// What moves the driven bodies.
   template <class P>
   [[nodiscard]] auto boundary(P policy) const {
     return with_motion<check_boundary<P>()>([&](const auto& m) {
-      return MotionModel{m.integrator, m.damping, m.time_step, std::move(policy)};
+      return MotionModel{m.integrator, m.damping, m.time_step, std::move(policy), m.body_force};
+    });
+  }
+  /// Gravity, or another acceleration of free bodies.
+  template <class P>
+  [[nodiscard]] auto body_force(P policy) const {
+    return with_motion<check_body_force<P>()>([&](const auto& m) {
+      return MotionModel{m.integrator, m.damping, m.time_step, m.boundary, std::move(policy)};
     });
   }
 
@@ -210,7 +217,7 @@ struct Model {
     const auto all = [](const auto&... policies) { (riprap::validate(policies), ...); };
     all(contact_model.broad_phase, contact_model.narrow_phase, contact_model.law);
     all(motion_model.integrator, motion_model.damping, motion_model.time_step,
-        motion_model.boundary);
+        motion_model.boundary, motion_model.body_force);
     all(stress_model.mesher, stress_model.element, stress_model.plane_state, stress_model.support);
     all(acceleration_model.neighbour_list, acceleration_model.detection,
         acceleration_model.screening, acceleration_model.operator_store, execution_policy);

@@ -12,6 +12,7 @@
 #include <riprap/contact/broad_phase/uniform_grid.hpp>
 #include <riprap/contact/law/linear_spring_coulomb.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
+#include <riprap/dynamics/body_force/uniform_body_force.hpp>
 #include <riprap/dynamics/boundary/strain_field.hpp>
 #include <riprap/dynamics/damping/local_damping.hpp>
 #include <riprap/dynamics/integrator/symplectic_euler.hpp>
@@ -37,15 +38,17 @@ ContactModel(B, N, L) -> ContactModel<B, N, L>;
 
 /// From forces to motion.
 template <Integrator IntegratorT = SymplecticEuler, Damping DampingT = LocalDamping,
-          TimeStepRule Step = MassFloor, Boundary BoundaryT = StrainField>
+          TimeStepRule Step = MassFloor, Boundary BoundaryT = StrainField,
+          BodyForce BodyForceT = UniformBodyForce>
 struct MotionModel {
   IntegratorT integrator{};
   DampingT damping{};
   Step time_step{};
   BoundaryT boundary{};
+  BodyForceT body_force{};
 };
-template <class I, class D, class T, class B>
-MotionModel(I, D, T, B) -> MotionModel<I, D, T, B>;
+template <class I, class D, class T, class B, class F>
+MotionModel(I, D, T, B, F) -> MotionModel<I, D, T, B, F>;
 
 /// From contact forces to the stress in every triangle of a particle.
 template <Mesher Meshing = UniformMesher, Element ElementT = ConstantStrainTriangle,

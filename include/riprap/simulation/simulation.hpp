@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -169,13 +170,15 @@ class Simulation {
   [[nodiscard]] auto& damping() { return model_.motion_model.damping; }
   void set_breakage(bool active) { breakage_active_ = active; }
   [[nodiscard]] bool breakage() const { return breakage_active_; }
-  /// Acceleration of the uniform body force on free bodies [m/s^2].
-  void set_body_force(const Vec2& acceleration) {
-    require_finite("body force along axis 1", acceleration.x());
-    require_finite("body force along axis 2", acceleration.y());
-    body_force_ = acceleration;
+  /// Sets the acceleration of the body force on free bodies [m/s^2], if it is uniform.
+  void set_body_force(const Vec2& acceleration)
+    requires std::same_as<decltype(ModelType::motion_model.body_force), UniformBodyForce>
+  {
+    const UniformBodyForce body_force{acceleration};
+    body_force.validate();
+    model_.motion_model.body_force = body_force;
   }
-  [[nodiscard]] const Vec2& body_force() const { return body_force_; }
+  [[nodiscard]] const auto& body_force() const { return model_.motion_model.body_force; }
   /// Replaces the time step [s] that the rule chose; stability is the caller's responsibility.
   void set_time_step(double seconds) {
     require_positive("time step", seconds);
@@ -254,7 +257,7 @@ class Simulation {
   }
 
   [[nodiscard]] auto body_step() {
-    return BodyStep(model_.motion_model, contacts_.domain(), body_force_, time_step_);
+    return BodyStep(model_.motion_model, contacts_.domain(), time_step_);
   }
 
   // Forces of the present poses move the bodies to the next ones.
@@ -363,7 +366,6 @@ class Simulation {
   double time_step_ = 0;
   double time_ = 0;
   std::uint64_t steps_ = 0;
-  Vec2 body_force_{0, 0};
   bool breakage_active_ = true;
   BodyWork work_;
   std::vector<BodyWork> task_work_;
