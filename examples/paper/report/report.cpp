@@ -160,7 +160,7 @@ void add_figures(Document& document, const Results& results, const std::vector<S
   }
 }
 
-// For those who build with rock.
+// The section on rockfill: strength, breakage, gradings, stiffness.
 void add_rockfill(Document& document, const Results& results) {
   std::vector<Json> runs;
   for (const Run& run : results.runs) runs.push_back(read_json(run.folder / "run.json"));

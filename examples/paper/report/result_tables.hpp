@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
-// Tables of the study as a whole: what it was made of, what came out, and how quietly it ran.
+// Tables of the study as a whole: what it was made of, what came out, and how close to equilibrium
+// it ran.
 
 #include <filesystem>
 

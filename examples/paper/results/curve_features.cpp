@@ -9,7 +9,7 @@ namespace report {
 
 namespace {
 
-// A hair, so that a record at a limit counts whatever its last bits.
+// A small tolerance, so that a record at a limit counts whatever its last bits.
 constexpr double hair = 1e-4;
 
 std::vector<double> smoothed(const Run& run, const std::string& column) {

@@ -47,7 +47,7 @@ riprap::SecantStrength peak_strength(const std::vector<double>& strain,
     double sum = 0;
     double minor_sum = 0;
     for (std::size_t i = 0; i < strain.size(); ++i) {
-      // A hair, so that a record at the limit counts whatever its last bits.
+      // A small tolerance, so that a record at the limit counts whatever its last bits.
       if (std::abs(strain[i] - at) > 0.0101 || std::isnan(sin_phi[i])) continue;
       ++count;
       sum += sin_phi[i];
