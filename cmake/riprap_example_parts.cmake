@@ -19,10 +19,9 @@ endfunction()
 if(TARGET nlohmann_json::nlohmann_json)
   # All of the study but its program and its runs.
   file(GLOB sources RELATIVE ${PROJECT_SOURCE_DIR}/examples CONFIGURE_DEPENDS
-       ${PROJECT_SOURCE_DIR}/examples/paper/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "/(paper|options|run_[a-z_]+)\\.cpp$")
+       ${PROJECT_SOURCE_DIR}/examples/paper/*/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/runs/run_[a-z_]+\\.cpp$")
   riprap_example_part(riprap_paper LIBRARIES nlohmann_json::nlohmann_json SOURCES ${sources})
-  target_include_directories(riprap_paper PUBLIC ${PROJECT_SOURCE_DIR}/examples/paper)
 endif()
 
 if(TARGET nlohmann_json::nlohmann_json AND TARGET CLI11::CLI11)

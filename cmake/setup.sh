@@ -154,10 +154,22 @@ configure() {
 
 build_target() { quietly cmake --build "$build" --target "$1" --parallel "$jobs"; }
 
-example_names() {
+# The short programs of examples/basics, and the others, of which each has a folder.
+short_example_names() { basename -s .cpp "$root"/examples/basics/*.cpp; }
+long_example_names() {
   local folder name
   for folder in "$root"/examples/*/; do
     name=$(basename "$folder")
     [[ ! -f $folder$name.cpp ]] || echo "$name"
   done
+}
+example_names() { short_example_names; long_example_names; }
+
+# example_source NAME: the file with its main function; false where there is no such example.
+example_source() {
+  local file
+  for file in "$root/examples/basics/$1.cpp" "$root/examples/$1/$1.cpp"; do
+    [[ ! -f $file ]] || { echo "$file"; return; }
+  done
+  return 1
 }

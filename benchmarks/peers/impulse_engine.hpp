@@ -18,7 +18,8 @@ inline constexpr double strain_per_step = 1e-5;  // along axis 2
 inline constexpr int settling_steps = 200;       // from riprap's packing to the engine's own
 inline constexpr int timed_steps = 200;
 
-// Engines want bodies of about a metre: lengths are divided by the mean diameter.
+// Tolerances of the engines are for bodies of about a metre: lengths are divided by the mean
+// diameter.
 [[nodiscard]] inline std::vector<Vec2> scaled(Ring ring, double unit) {
   std::vector<Vec2> out;
   for (const Vec2& v : ring) out.push_back(v / unit);

@@ -55,7 +55,7 @@ void write_atoms(std::ofstream& out, const Packing& packing, bool bodies, Atom&&
   for (std::size_t i = 0; i < count; ++i) {
     const PlacedParticle& g = grains[i];
     const Vec2 v = is_free(g) ? g.velocity : packing.field(centroid(g));
-    // Turning: of a body LAMMPS wants the angular momentum, of a disc the rate.
+    // Rotation: LAMMPS takes the angular momentum of a body and the angular velocity of a disc.
     const double inertia =
         bodies ? packing.density * packing.assembly.thickness * properties(g).polar_moment : 1;
     out << i + 1 << ' ' << v.x() << ' ' << v.y() << " 0 0 0 " << inertia * g.angular_velocity

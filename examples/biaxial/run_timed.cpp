@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// As with inertia relief, with a stop-watch: in a file of its own, for the others read no clock.
+// As with inertia relief, with a StepTimer: compiled apart, so that the others read no clock.
 
 #include <riprap/measurement/step_timer.hpp>
 

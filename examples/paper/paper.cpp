@@ -6,10 +6,10 @@
 
 #include "../command_line/program.hpp"
 #include "options.hpp"
-#include "report.hpp"
-#include "run_plan.hpp"
-#include "run_queue.hpp"
-#include "run_unconfined.hpp"
+#include "report/report.hpp"
+#include "runs/run_plan.hpp"
+#include "runs/run_queue.hpp"
+#include "runs/run_unconfined.hpp"
 
 int main(int argc, char** argv) {
   const study::Options options = study::read_options(argc, argv);

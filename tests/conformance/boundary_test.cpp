@@ -23,7 +23,7 @@ const Assembly ring = random_assembly(options);
 const Assembly box = random_platen_assembly(options);
 const Assembly cell = random_periodic_assembly(options);
 
-/// Shakes prescribed bodies.
+/// Moves prescribed bodies to and fro.
 struct ShakingTable {
   double speed = 0.05;     // [m/s]
   double frequency = 5e4;  // [Hz]
@@ -46,7 +46,7 @@ struct ExponentialField : StrainField {
   }
 };
 
-/// The ring, with something else done to every body.
+/// The ring, and then `change` of every body.
 template <class Change>
 struct Altered : StrainField {
   Change change;
@@ -65,12 +65,12 @@ struct AddsBodies : StrainField {
   void drive(std::vector<Body>& bodies, double) const { bodies.emplace_back(); }
 };
 
-/// Takes the axes for one another.
+/// Exchanges the two axes.
 struct SwappedAxes : StrainField {
   void set_rate(double axis_1, double axis_2) { StrainField::set_rate(axis_2, axis_1); }
 };
 
-/// Stretches where it should shorten.
+/// Takes rates with the opposite sign.
 struct WrongSign : StrainField {
   void set_rate(double axis_1, double axis_2) { StrainField::set_rate(-axis_1, -axis_2); }
 };
@@ -80,7 +80,7 @@ struct StiffCell : PeriodicCell {
   void drift(double) {}
 };
 
-/// The ring, whose region answers with something else.
+/// The ring, with another region.
 template <class RegionType>
 struct Measured : StrainField {
   RegionType region(const Particles& particles) const {

@@ -32,7 +32,7 @@ struct SortedSweep {
   void validate() const {}
 };
 
-/// All pairs, handed to `change` with the visitor and the number of the visit.
+/// All pairs; `change` gets each of them with the visitor and the number of the visit.
 template <class Change>
 struct Altered : AllPairs {
   Change change;
@@ -58,7 +58,7 @@ struct EveryPair {
   void validate() const {}
 };
 
-/// Overlooks boxes that share an edge only.
+/// Misses boxes that have an edge in common and no area.
 struct OpenBoxes {
   double relative_skin = 0.1;
   template <class Visit>
@@ -72,7 +72,7 @@ struct OpenBoxes {
   void validate() const {}
 };
 
-/// Begins at the other end every second time.
+/// Reverses the order of the pairs at every second search.
 struct ToAndFro {
   double relative_skin = 0.1;
   mutable bool backwards = false;
@@ -86,7 +86,7 @@ struct ToAndFro {
   void validate() const {}
 };
 
-/// Takes lists of an earlier search for its own.
+/// Visits pairs of an earlier search again.
 struct NeverForgets : AllPairs {
   struct Workspace {
     std::vector<internal::BodyPair> pairs;
@@ -107,7 +107,7 @@ TEST_CASE("the broad phases of riprap obey the axioms") {
   CHECK(to_text(broad_phase_violations(RTree{})) == "");
 }
 
-// Bodies that never meet: the one thing asked of a broad phase, left out on purpose.
+// NoPairs is for bodies without contacts: it leaves out the pairs by intention.
 TEST_CASE("NoPairs misses every pair, and breaks no other axiom") {
   const Violations violations = broad_phase_violations(NoPairs{});
   check_violated(violations, "no pair of boxes that meet is missed: pairs missed");

@@ -57,7 +57,7 @@ struct WithoutStiffness : NoContactForce {
   double peak_stiffness() const { return 0; }
 };
 
-/// Pulls without saying so.
+/// Has negative normal forces, and no member `may_pull`.
 struct SecretlyPulling {
   using History = SpringDashpot::History;
   SpringDashpot law{.may_pull = true};
@@ -72,7 +72,7 @@ struct SecretlyPulling {
   void validate() const {}
 };
 
-/// Its friction cannot be switched off.
+/// Its friction does not follow the member `friction`.
 struct StuckFriction : LinearSpringCoulomb {
   ContactForce operator()(const ContactGeometry& geometry, const ContactMotion& motion,
                           History& history) const {

@@ -45,7 +45,7 @@ Violations violations_of(Change change) {
   return execution_violations(Altered<Change>{change});
 }
 
-/// Begins with the first task before it counts them.
+/// Runs the first task also where there are none.
 struct AtLeastOne {
   template <class Work>
   void run(std::size_t tasks, Work&& work) const {
@@ -55,7 +55,7 @@ struct AtLeastOne {
   }
 };
 
-/// Forgets to wait for what it has begun.
+/// Returns before its tasks have ended.
 class Impatient {
  public:
   template <class Work>

@@ -24,7 +24,7 @@ struct ForwardEuler {
   void second_kick(Body&, const Wrench&, double) const {}
 };
 
-/// The bodies do not turn, as if on rails: not the contract, but what some want.
+/// Bodies do not rotate: breaks the contract, though some programs need it.
 struct WithoutTurning {
   static constexpr int order = 1;
   static constexpr bool has_second_kick = false;
@@ -39,7 +39,7 @@ struct ClaimsSecondOrder : SymplecticEuler {
   static constexpr int order = 2;
 };
 
-/// Verlet whose second kick leaves out the moment, made up for in the first.
+/// Verlet whose first kick has the whole impulse of the moment and the second none.
 struct TurnsToFirstOrder {
   static constexpr int order = 2;
   static constexpr bool has_second_kick = true;
@@ -62,7 +62,7 @@ struct LateKick {
   }
 };
 
-/// The same, owned up to.
+/// The same, with a first_kick_fraction that states it.
 struct DriftThenKick : LateKick {
   double first_kick_fraction() const { return 0; }
 };
@@ -78,7 +78,7 @@ struct TrueMass {
   void second_kick(Body&, const Wrench&, double) const {}
 };
 
-/// The default with something else done to the body at the end of the step.
+/// The default, and then `change` of the body at the end of the step.
 template <class Change>
 struct Altered : SymplecticEuler {
   Change change;
@@ -111,7 +111,7 @@ TEST_CASE("a choice of integrators obeys the axioms with each, but for those of 
   CHECK(better.size() == 2);
 }
 
-// It stops what moves: nothing is left of motion, and the kinetic energy is lost without work.
+// Frozen sets all velocities to zero, so kinetic energy is lost without work.
 TEST_CASE("Frozen breaks the axioms of free motion and of work, and no other") {
   const Violations violations = integrator_violations(Frozen{});
   check_violated(violations, "a body without load keeps its velocity");

@@ -45,7 +45,7 @@ struct AlwaysTouching {
   std::optional<ContactGeometry> operator()(Ring, Ring, Cache&) const { return ContactGeometry{}; }
 };
 
-/// Takes the remembered separation for granted.
+/// Uses the cached separation without checking it.
 struct TrustsCache {
   struct Cache {
     bool apart = false;

@@ -46,7 +46,7 @@ struct Squeezed : PlaneStress {
   double out_of_plane_stress(const Rock&, const Stress2&) const { return 1e6; }
 };
 
-/// Plane strain that has forgotten what holds it.
+/// Plane strain without the out-of-plane stress that holds the strain at zero.
 struct UnheldStrain : PlaneStrain {
   double out_of_plane_stress(const Rock&, const Stress2&) const { return 0; }
 };

@@ -39,7 +39,7 @@ struct NeedsTooMany : FailedCount {
   std::size_t failed_elements_needed(std::size_t) const { return critical + 1; }
 };
 
-/// A strength that is `strength` at first and wanders by `change` at every question.
+/// A strength that is `strength` at the first call and changes by `change` with each.
 struct Strength : NeverBreaks {
   mutable double strength = 1;
   double change = 0;

@@ -128,7 +128,7 @@ TEST_CASE("a biaxial test goes through its stages and keeps its promises") {
   CHECK(witness.friction_in_compaction == 0);
   CHECK(witness.friction_in_relaxation == 0.5);
 
-  // The stages end where they said they would.
+  // Each stage ends within its tolerance.
   CHECK(witness.rest_unbalanced < small_test.rest_unbalanced_force);
   CHECK(witness.hydrostatic_error <= small_test.hydrostatic_tolerance);
   CHECK(witness.hydrostatic_unbalanced < small_test.hydrostatic_unbalanced_force);
@@ -397,7 +397,7 @@ TEST_CASE("a servo that does not hold the lateral stress has missed the target o
 }
 
 TEST_CASE("a test whose particles are thrown out ends with an error, and the records stay") {
-  // A law that throws apart what touches.
+  // A law that drives particles in contact apart.
   struct Explosion : LinearSpringCoulomb {
     ContactForce operator()(const ContactGeometry& geometry, const ContactMotion& motion,
                             History& history) const {

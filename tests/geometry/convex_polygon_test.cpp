@@ -89,7 +89,7 @@ TEST_CASE("a vertex on the line of an edge is refused") {
 }
 
 TEST_CASE("a notch is refused and names the vertex before or after it") {
-  // Vertex 3 is pushed inside; the edges at the notch see a neighbour on their right.
+  // Vertex 3 lies inside: the edges at the notch have a neighbour on their right.
   const std::string text = complaint({{0, 0}, {2, 0}, {2, 2}, {1, 0.5}, {0, 2}});
   CHECK(contains(text, "strictly convex"));
   CHECK(contains(text, "vertex 2 at (2, 2)"));

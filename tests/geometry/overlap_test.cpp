@@ -47,7 +47,7 @@ double distance_from_edge(const Vec2& x, const ConvexPolygon& polygon, std::size
   return std::abs(cross(along, x - p)) / along.norm();
 }
 
-/// Both ends of every edge lie on the line of the edge it is said to come from.
+/// Both ends of every edge lie on the line of the edge that is its source.
 void check_sources(const OverlapPolygon& polygon, const ConvexPolygon& a, const ConvexPolygon& b,
                    double error) {
   for (std::size_t i = 0; i < polygon.size; ++i) {

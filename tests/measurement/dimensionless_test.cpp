@@ -44,7 +44,7 @@ TEST_CASE("the inertial number is rate times d sqrt(density / pressure)") {
 
 TEST_CASE("the stiffness level is pressure times thickness over stiffness") {
   CHECK(stiffness_level(2e6, 0.016, 2e7) == near_relative(1.6e-3, 1e-14));
-  // A metre of thickness would make soft balls of rocks.
+  // With a thickness of a metre the same stress gives larger forces, and overlaps.
   CHECK(stiffness_level(14e6, 1, 2e7) == near_relative(0.7, 1e-14));
 }
 

@@ -303,7 +303,7 @@ TEST_CASE("a dashpot takes the energy that a bounce does not give back") {
   REQUIRE(t.stored == 0);
   const double before = 0.5 * effective * 4;
   const double lost = (1 - restitution * restitution) * before;
-  // First order in omega dt = 5e-4, for the dashpot sees velocities half a step old.
+  // First order in omega dt = 5e-4, for the dashpot uses velocities half a step old.
   CHECK(t.kinetic == near_relative(-lost, 2e-3));
   CHECK(t.dashpot == near_relative(lost, 2e-3));
   CHECK(t.law_residual == near(0, 2e-3 * lost));

@@ -34,7 +34,7 @@ struct Scale {
   }
 };
 
-/// A chart as its reader sees it.
+/// A chart read back from its picture.
 struct Drawn {
   std::vector<SvgElement> elements;
   PictureBox frame;

@@ -60,7 +60,7 @@ TEST_CASE("a picture is well-formed XML with its size and its shapes in order") 
   // The white background comes first.
   CHECK(names ==
         std::vector<std::string>{"rect", "path", "path", "path", "g", "rect", "text", "text"});
-  // A second, stricter reader: it knows no forgiveness for bare ampersands and wrong closings.
+  // A second, stricter parser, which refuses bare ampersands and wrong closing tags.
   CHECK(test::svg_elements(document).size() == 9);
 }
 

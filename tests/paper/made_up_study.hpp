@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <results.hpp>
+#include <paper/results/results.hpp>
 
 namespace riprap::test {
 

@@ -84,7 +84,7 @@ TEST_CASE("the ring follows the body's pose") {
   particles.add(shifted(rectangle(2, 2), {9, 9}), Motion::free);
   particles.body(i).position = {10, 20};
   particles.body(i).rotation = Rotation::from_angle(pi / 2);
-  // Nothing moves before it is asked to.
+  // Rings stay as they are until update_ring.
   CHECK(particles.ring(i)[0] == Vec2{-1, 0});
   particles.update_ring(i);
   // (-2, -1) turned by 90 degrees is (1, -2).

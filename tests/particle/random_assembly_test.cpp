@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <riprap/particle/random_assembly.hpp>
 
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <limits>
 #include <vector>
@@ -194,6 +195,54 @@ TEST_CASE("solid fraction is the particles' area over that of the boundary's cir
     const double radius = placed(assembly).front().centroid.norm();
     CHECK(total_area(assembly) / (pi * radius * radius) == near_relative(fraction, 1e-12));
   }
+}
+
+TEST_CASE("given diameters are those of the particles, in random order") {
+  std::vector<double> diameters;
+  for (int i = 0; i < 100; ++i) diameters.push_back(0.01 * (1 + 0.01 * i));
+  const Assembly assembly = random_assembly({.count = 100, .diameters = diameters});
+  std::vector<double> found;
+  for (const Placed& p : placed(assembly)) found.push_back(equivalent_diameter(p.area));
+  CHECK_FALSE(std::is_sorted(found.begin(), found.end()));
+  std::sort(found.begin(), found.end());
+  // Areas of polygons up to 20 diameters from the origin.
+  for (std::size_t i = 0; i < found.size(); ++i)
+    CHECK(found[i] == near_relative(diameters[i], 1e-12));
+  CHECK(overlapping_pairs(assembly) == 0);
+}
+
+TEST_CASE("given outlines are scaled to the diameters and turned") {
+  const ConvexPolygon square{{5, 5}, {7, 5}, {7, 7}, {5, 7}};
+  const ConvexPolygon slab{{0, 0}, {3, 0}, {3, 1}, {0, 1}};
+  const Assembly assembly = random_assembly({.count = 60,
+                                             .mean_diameter = 0.02,
+                                             .smallest_diameter = 1,
+                                             .largest_diameter = 1,
+                                             .outlines = {square, slab}});
+  std::size_t squares = 0;
+  for (const PlacedParticle& p : assembly.particles) {
+    REQUIRE(p.polygon.size() == 4);
+    const double area = area_properties(p.polygon.ring()).area;
+    CHECK(area == near_relative(0.25 * pi * 0.02 * 0.02, 1e-12));
+    const double first = (p.polygon[1] - p.polygon[0]).norm();
+    const double second = (p.polygon[2] - p.polygon[1]).norm();
+    const double aspect = first / second;
+    CHECK((aspect == near_relative(1, 1e-12) || aspect == near_relative(3, 1e-12)));
+    squares += aspect < 2;
+  }
+  // Of 60 fair draws, four standard deviations.
+  CHECK(squares > 14);
+  CHECK(squares < 46);
+  CHECK(overlapping_pairs(assembly) == 0);
+}
+
+TEST_CASE("diameters that break a rule are refused") {
+  CHECK(complaint({.count = 30, .diameters = {0.01}}) ==
+        "RandomAssembly.diameters.size() = 1: must be 0 or RandomAssembly.count");
+  std::vector<double> diameters(30, 0.01);
+  diameters[7] = -0.01;
+  CHECK(complaint({.count = 30, .diameters = diameters}) ==
+        "RandomAssembly.diameters = -0.01: must be a finite number above 0");
 }
 
 TEST_CASE("diameters are uniform in the stated range") {

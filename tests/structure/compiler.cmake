@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-# Every header includes compiler.hpp, or another one that does, so that an old compiler stumbles over
+# Every header includes compiler.hpp, or another one that does, so that an old compiler reports
 # its sentence before anything else.
 get_filename_component(include ${CMAKE_CURRENT_LIST_DIR}/../../include ABSOLUTE)
 file(GLOB_RECURSE headers RELATIVE ${include} ${include}/riprap/*.hpp)

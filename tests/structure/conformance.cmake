@@ -43,5 +43,5 @@ foreach(concept IN LISTS concepts)
 endforeach()
 
 if(violations OR count EQUAL 0)
-  message(FATAL_ERROR "Models that no law is asked of, among ${count}:${violations}\n")
+  message(FATAL_ERROR "Models without a test of their axioms, among ${count}:${violations}\n")
 endif()

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Policies that offer what the concept of their role asks for and nothing more: where they get
-/// through, the code needs no more than the concepts say. Each does what a shipped model does, so
-/// that its results can be told. To make a near miss, derive from one and hide a member.
+/// Policies that have exactly what the concept of their role requires: code that compiles with them
+/// needs no more than the concepts state. Each computes what a shipped model does, so that its
+/// results are known. A test of one missing requirement derives from one and hides a member.
 
 #include <array>
 #include <optional>

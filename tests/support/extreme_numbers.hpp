@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Numbers that a state out of control has, and what is asked of a picture or a table of them.
+/// Numbers of a diverged state, and what pictures and tables of them must satisfy.
 
 #include <array>
 #include <limits>

@@ -16,7 +16,7 @@ struct NoMemory {};
 /// The record of a real contact list.
 using FakeContact = Contact<LinearSpringCoulomb::History, NoMemory>;
 
-/// Offers what measurements ask of a contact list.
+/// The functions of a contact list that measurements call.
 struct FakeContacts {
   std::vector<FakeContact> list;
   LinearSpringCoulomb contact_law{};

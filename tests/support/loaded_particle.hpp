@@ -105,7 +105,7 @@ inline void balance(std::span<BoundaryLoad> loads, const Mesh& mesh) {
 }
 
 /// The material of `mesh`, element by element, mirrored in axis 2. The boundary nodes now run
-/// clockwise, which neither elements nor loads mind.
+/// clockwise, on which neither elements nor loads depend.
 [[nodiscard]] inline Mesh mirror_image(Mesh mesh) {
   for (Vec2& x : mesh.nodes) x.x() = -x.x();
   for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);

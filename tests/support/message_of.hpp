@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// What an error says.
+/// The text of an error.
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Pairs of polygons that overlap, and what narrow phases are asked about them.
+/// Pairs of polygons that overlap, and calls of narrow phases for them.
 
 #include <doctest/doctest.h>
 
@@ -18,7 +18,7 @@
 
 namespace riprap::test {
 
-/// The contact by a narrow phase that remembers nothing.
+/// The contact by a narrow phase with an empty cache.
 template <class Narrow>
 [[nodiscard]] std::optional<ContactGeometry> contact_of(const ConvexPolygon& a,
                                                         const ConvexPolygon& b) {
@@ -38,8 +38,7 @@ template <class Narrow>
           tip + Vec2{-std::cos(left), std::sin(left)}};
 }
 
-/// Visits pairs of sharp polygons of about unit size that overlap somewhere between barely and
-/// badly.
+/// Visits pairs of sharp polygons of about unit size with small to large overlaps.
 template <class Visit>
 void for_random_pairs(int count, Visit&& visit) {
   Random random(42);

@@ -25,7 +25,7 @@ class WktReader {
  public:
   explicit WktReader(std::string_view text) : text_(text) {}
 
-  /// The outer ring as it stands, without the first vertex at its end.
+  /// The outer ring as it stands.
   [[nodiscard]] std::vector<Vec2> read_ring() {
     expect_keyword();
     expect('(', "'(' before the ring");
@@ -39,7 +39,6 @@ class WktReader {
     expect(')', "')' after the ring");
     skip_blanks();
     if (at_ < text_.size()) fail("the end of the text");
-    if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
     return ring;
   }
 
@@ -104,6 +103,13 @@ class WktReader {
   std::size_t at_ = 0;
 };
 
+/// The polygon of a ring that turns either way and may end with its first vertex.
+[[nodiscard]] inline ConvexPolygon polygon_of_ring(std::vector<Vec2> ring) {
+  if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+  if (area_properties(ring).area < 0) std::reverse(ring.begin(), ring.end());
+  return ConvexPolygon(std::move(ring));
+}
+
 }  // namespace internal
 
 /// The polygon [m] of a text `POLYGON ((x y, x y, ...))`, upper or lower case. Its one ring may
@@ -111,9 +117,7 @@ class WktReader {
 /// not. Throws InvalidInput for any other text, with the character at which it departs from this
 /// form, and for a ring that is no ConvexPolygon.
 [[nodiscard]] inline ConvexPolygon read_wkt_polygon(std::string_view text) {
-  std::vector<Vec2> ring = internal::WktReader(text).read_ring();
-  if (area_properties(ring).area < 0) std::reverse(ring.begin(), ring.end());
-  return ConvexPolygon(std::move(ring));
+  return internal::polygon_of_ring(internal::WktReader(text).read_ring());
 }
 
 }  // namespace riprap

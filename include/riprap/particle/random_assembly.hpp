@@ -55,7 +55,7 @@ inline void place_ring(std::vector<ConvexPolygon>& polygons, double dense_radius
 [[nodiscard]] inline Assembly random_assembly(const RandomAssembly& options) {
   options.validate();
   Random random(options.seed);
-  const double d = options.mean_diameter;
+  const double d = internal::mean_diameter(options);
   internal::RandomPolygons random_ones = internal::random_polygons(options, random);
   const double dense_radius =
       std::sqrt(random_ones.area / (std::numbers::pi * options.dense_fraction));

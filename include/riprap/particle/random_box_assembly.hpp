@@ -29,7 +29,7 @@ namespace internal {
   const double half = 0.5 * std::sqrt(made.area / options.solid_fraction);
 
   Assembly assembly{.thickness = options.thickness, .particles = {}};
-  const double d = options.mean_diameter;
+  const double d = internal::mean_diameter(options);
   const double end = 2 * half;
   const ConvexPolygon right{{half, -end}, {half + d, -end}, {half + d, end}, {half, end}};
   for (const Rotation& side : {Rotation{1, 0}, Rotation{-1, 0}, Rotation{0, 1}, Rotation{0, -1}})

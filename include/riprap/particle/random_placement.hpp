@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -27,7 +28,7 @@ struct RandomAssembly {
   /// Particles. Those of the ring are among them (random_assembly); platens come on top
   /// (random_platen_assembly); a periodic cell has no others (random_periodic_assembly).
   unsigned count = 500;
-  double mean_diameter = 0.016;  ///< of the circle of equal area [m]
+  double mean_diameter = 0.016;  ///< of the circle of equal area [m]; see `diameters`
   double thickness = 0.016;      ///< [m]; keep it near the diameter, see docs/choices.md
   std::uint64_t seed = 1;
   PolygonShape shape = {};
@@ -38,6 +39,12 @@ struct RandomAssembly {
   /// Distance along the ring, when dense, over the particles' extent [-]. Boundary particles do not
   /// touch each other; below 1 the ring stays closed when shear stretches it.
   double boundary_spacing = 0.8;
+  /// Diameters of the circles of equal area [m], one for each particle, in any order: they are
+  /// shuffled. Their mean takes the place of mean_diameter. Empty: drawn from the range above.
+  std::vector<double> diameters = {};
+  /// Outlines to choose from at random, turned at random and scaled to the diameters; their own
+  /// size and place do not count. Empty: random polygons of `shape`.
+  std::vector<ConvexPolygon> outlines = {};
 
   /// Throws InvalidInput that names the value and the rule.
   void validate() const {
@@ -54,6 +61,9 @@ struct RandomAssembly {
             dense_fraction, "must lie above solid_fraction and be at most 1");
     require(boundary_spacing > 0 && boundary_spacing <= 2, "RandomAssembly.boundary_spacing",
             boundary_spacing, "must lie in (0, 2]");
+    require(diameters.empty() || diameters.size() == count, "RandomAssembly.diameters.size()",
+            static_cast<double>(diameters.size()), "must be 0 or RandomAssembly.count");
+    for (const double d : diameters) require_positive("RandomAssembly.diameters", d);
     shape.validate();
   }
 };
@@ -67,12 +77,48 @@ struct RandomPolygons {
   double farthest = 0;                  ///< vertex from its centroid [m]
 };
 
+[[nodiscard]] inline double mean_diameter(const RandomAssembly& options) {
+  if (options.diameters.empty()) return options.mean_diameter;
+  double sum = 0;
+  for (const double d : options.diameters) sum += d;
+  return sum / static_cast<double>(options.diameters.size());
+}
+
+/// The diameters of the options in random order (Fisher and Yates). Draws nothing if there are
+/// none.
+[[nodiscard]] inline std::vector<double> shuffled_diameters(const RandomAssembly& options,
+                                                            Random& random) {
+  std::vector<double> diameters = options.diameters;
+  for (std::size_t i = diameters.size(); i > 1; --i)
+    std::swap(diameters[i - 1], diameters[random.uniform_integer(0, static_cast<unsigned>(i - 1))]);
+  return diameters;
+}
+
+/// One of the outlines, turned, with its centroid at the origin and the area of a circle of the
+/// given diameter [m].
+[[nodiscard]] inline ConvexPolygon random_outline(const std::vector<ConvexPolygon>& outlines,
+                                                  double equivalent_diameter, Random& random) {
+  const auto last = static_cast<unsigned>(outlines.size() - 1);
+  const ConvexPolygon& outline = outlines[random.uniform_integer(0, last)];
+  const Rotation turn = Rotation::from_angle(random.uniform(0, 2 * std::numbers::pi));
+  const AreaProperties own = area_properties(outline.ring());
+  const double scale = equivalent_diameter / riprap::equivalent_diameter(own.area);
+  std::vector<Vec2> vertices;
+  for (const Vec2& v : outline) vertices.push_back(scale * (turn * (v - own.centroid)));
+  return ConvexPolygon(std::move(vertices));
+}
+
 [[nodiscard]] inline RandomPolygons random_polygons(const RandomAssembly& options, Random& random) {
   RandomPolygons made;
+  const std::vector<double> diameters = shuffled_diameters(options, random);
   for (unsigned i = 0; i < options.count; ++i) {
-    const double size =
-        options.mean_diameter * random.uniform(options.smallest_diameter, options.largest_diameter);
-    made.polygons.push_back(random_polygon(options.shape, size, random));
+    const double size = diameters.empty()
+                            ? options.mean_diameter * random.uniform(options.smallest_diameter,
+                                                                     options.largest_diameter)
+                            : diameters[i];
+    made.polygons.push_back(options.outlines.empty()
+                                ? random_polygon(options.shape, size, random)
+                                : random_outline(options.outlines, size, random));
     made.area += area_properties(made.polygons.back().ring()).area;
     for (const Vec2& v : made.polygons.back()) made.farthest = std::max(made.farthest, v.norm());
   }

@@ -18,9 +18,9 @@ static_assert(Choice::order == 0 && Choice::has_second_kick);
 static_assert(IntegratorChoice<VelocityVerlet>::order == 2);
 static_assert(!IntegratorChoice<SymplecticEuler, Frozen>::has_second_kick);
 
-// Says that there is nothing to finish, and means it.
-struct MustNotFinish : SymplecticEuler {
-  void second_kick(Body&, const Wrench&, double) const { FAIL("finish of a one-kick scheme"); }
+// has_second_kick is false, and the second kick must not be called.
+struct NoSecondKick : SymplecticEuler {
+  void second_kick(Body&, const Wrench&, double) const { FAIL("second kick of a one-kick scheme"); }
 };
 
 }  // namespace
@@ -41,8 +41,8 @@ TEST_CASE("integrators that are chosen differ") {
                           test::run_of(Model{}.integrator(Choice{VelocityVerlet{}}), 10)));
 }
 
-TEST_CASE("a one-kick scheme is never asked to finish, and gives all in its first kick") {
-  const IntegratorChoice<MustNotFinish, VelocityVerlet> choice{MustNotFinish{}};
+TEST_CASE("the second kick of a one-kick scheme is not called, and its first kick is whole") {
+  const IntegratorChoice<NoSecondKick, VelocityVerlet> choice{NoSecondKick{}};
   Body body;
   choice.second_kick(body, {{1, 2}, 3}, 0.1);
   CHECK(choice.first_kick_fraction() == 1);

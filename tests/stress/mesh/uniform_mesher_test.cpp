@@ -194,7 +194,7 @@ TEST_CASE("a splinter too thin for the integers of its triangulation is refused"
   CHECK(message.ends_with(": must be 1e5 at most"));
 }
 
-// The number asked for is a wish that the shape of the boundary may refuse: a polygon of v vertices
+// The boundary may need more triangles than the number asked for: a polygon of v vertices
 // needs v - 2 triangles, and moving one row of points changes the count by as many as it has. A
 // tenth and no more is what "about 100 triangles" is taken to mean; on average much less.
 TEST_CASE("the number of triangles is the one asked for to a tenth, and to 2 % on average") {

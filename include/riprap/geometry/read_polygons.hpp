@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// Reads lists of polygons from files: well-known text (WKT) or comma-separated values (CSV).
+
+#include <cstddef>
+#include <filesystem>
+#include <istream>
+#include <string>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include <riprap/core/read_csv.hpp>
+#include <riprap/geometry/read_wkt.hpp>
+
+namespace riprap {
+
+namespace internal {
+
+/// Collects the vertices of one polygon of a CSV file, row by row.
+class CsvRing {
+ public:
+  [[nodiscard]] bool has(const std::string& id) const { return !vertices_.empty() && id == id_; }
+  void begin(const std::string& id, std::size_t line) {
+    id_ = id;
+    first_line_ = line;
+  }
+  void add(const Vec2& vertex, std::size_t line) {
+    vertices_.push_back(vertex);
+    last_line_ = line;
+  }
+  /// Moves the polygon, if there is one, to the end of the list.
+  void finish(const std::string& file, std::vector<ConvexPolygon>& polygons) {
+    if (vertices_.empty()) return;
+    try {
+      polygons.push_back(polygon_of_ring(std::exchange(vertices_, {})));
+    } catch (const InvalidInput& error) {
+      throw InvalidInput(file + ", lines " + std::to_string(first_line_) + " to " +
+                         std::to_string(last_line_) + ", id '" + id_ + "': " + error.what());
+    }
+  }
+
+ private:
+  std::string id_;
+  std::vector<Vec2> vertices_;
+  std::size_t first_line_ = 0;
+  std::size_t last_line_ = 0;
+};
+
+[[gnu::cold]] inline void require_polygons(const std::vector<ConvexPolygon>& polygons,
+                                           const std::string& file) {
+  if (polygons.empty()) throw InvalidInput(file + ": no polygons: must have one or more");
+}
+
+}  // namespace internal
+
+/// Polygons [m] of a text with one `POLYGON ((x y, x y, ...))` a line, each as read_wkt_polygon
+/// takes it; blank lines and lines that begin with # are skipped. Throws InvalidInput with the name
+/// of the file and the line for anything else, and for a text without polygons.
+[[nodiscard]] inline std::vector<ConvexPolygon> read_wkt_polygons(std::istream& in,
+                                                                  const std::string& name) {
+  internal::LineReader lines(in, name);
+  std::vector<ConvexPolygon> polygons;
+  while (lines.next()) {
+    try {
+      polygons.push_back(read_wkt_polygon(lines.line()));
+    } catch (const InvalidInput& error) {
+      lines.fail(error.what());
+    }
+  }
+  internal::require_polygons(polygons, name);
+  return polygons;
+}
+
+/// Polygons [m] of a table with the header `id,x,y` and a vertex in every row. The vertices of a
+/// polygon have one id, any text, and stand in consecutive rows, either way round; the first may be
+/// repeated at the end. Throws InvalidInput with the name of the file, the lines, the value and the
+/// rule for anything else, and for a table without rows.
+[[nodiscard]] inline std::vector<ConvexPolygon> read_csv_polygons(std::istream& in,
+                                                                  const std::string& name) {
+  internal::CsvReader rows(in, name, "id,x,y");
+  std::vector<ConvexPolygon> polygons;
+  std::unordered_set<std::string> ids;
+  internal::CsvRing ring;
+  while (rows.next()) {
+    const std::string& id = rows.text(0);
+    const std::size_t line = rows.lines().number();
+    if (!ring.has(id)) {
+      if (id.empty()) rows.fail(0, "must not be empty");
+      ring.finish(name, polygons);
+      if (!ids.insert(id).second) rows.fail(0, "its vertices must stand in consecutive rows");
+      ring.begin(id, line);
+    }
+    const double x = rows.number(1);
+    ring.add({x, rows.number(2)}, line);
+  }
+  ring.finish(name, polygons);
+  internal::require_polygons(polygons, name);
+  return polygons;
+}
+
+/// The polygons of a file. Throws InvalidInput also where it cannot be read, with the reason.
+[[nodiscard]] inline std::vector<ConvexPolygon>
+read_wkt_polygons(const std::filesystem::path& path) {
+  auto file = internal::open_text(path);
+  return read_wkt_polygons(file, path.string());
+}
+[[nodiscard]] inline std::vector<ConvexPolygon>
+read_csv_polygons(const std::filesystem::path& path) {
+  auto file = internal::open_text(path);
+  return read_csv_polygons(file, path.string());
+}
+
+/// The polygons of a file NAME.wkt or NAME.csv, as its name has it. Throws InvalidInput for another
+/// name.
+[[nodiscard]] inline std::vector<ConvexPolygon> read_polygons(const std::filesystem::path& path) {
+  if (path.extension() == ".wkt") return read_wkt_polygons(path);
+  if (path.extension() == ".csv") return read_csv_polygons(path);
+  throw InvalidInput("file of polygons '" + path.string() + "': must end in .wkt or .csv");
+}
+
+}  // namespace riprap
