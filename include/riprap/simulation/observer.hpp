@@ -81,6 +81,15 @@ inline constexpr auto on_phase_end = []<class O>(O& observer, StepPhase part) {
   if constexpr (times_phases<O>) observer.on_phase_end(part);
 };
 
+/// Notifies all observers that measure time; does nothing if there are none.
+template <class... Observers>
+[[nodiscard]] auto phase_timer(Observers&... observers) {
+  if constexpr ((times_phases<Observers> || ...))
+    return [&](StepPhase part) { (on_phase_end(observers, part), ...); };
+  else
+    return NoPhaseTimer{};
+}
+
 /// Bodies have moved, contacts are still those of the last step.
 inline constexpr auto before_forces = []<class O, class Sim>(O& observer, const Sim& sim) {
   if constexpr (requires { observer.before_forces(sim); })

@@ -3,46 +3,29 @@
 /// @file
 /// The simulation: particles, contacts and stress under one model, advanced step by step.
 
-#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
-#include <limits>
-#include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include <riprap/breakage/failure_count.hpp>
 #include <riprap/contact/contact_list.hpp>
 #include <riprap/core/execution/concepts.hpp>
+#include <riprap/dynamics/boundary/domain_of.hpp>
 #include <riprap/particle/assembly.hpp>
 #include <riprap/particle/particles.hpp>
+#include <riprap/particle/smallest_mass.hpp>
 #include <riprap/simulation/body_step.hpp>
 #include <riprap/simulation/break_event.hpp>
 #include <riprap/simulation/breakage_stage.hpp>
 #include <riprap/simulation/model.hpp>
 #include <riprap/simulation/observer.hpp>
+#include <riprap/simulation/setup.hpp>
+#include <riprap/simulation/stress_query.hpp>
 
 namespace riprap {
-
-namespace internal {
-
-/// The domain of a boundary: periodic if it has a `domain()`.
-template <class B>
-struct DomainOfBoundary {
-  using type = UnboundedDomain;
-};
-template <class B>
-  requires requires(B& boundary) { boundary.domain(); }
-struct DomainOfBoundary<B> {
-  using type = PeriodicDomain;
-};
-template <class B>
-using DomainOf = typename DomainOfBoundary<B>::type;
-
-}  // namespace internal
 
 /// A running simulation, composed at compile time from the policies of a Model:
 ///
@@ -53,7 +36,7 @@ using DomainOf = typename DomainOfBoundary<B>::type;
 template <class ModelType>
 class Simulation {
  public:
-  using Domain = internal::DomainOf<decltype(ModelType::motion_model.boundary)>;
+  using Domain = DomainOf<decltype(ModelType::motion_model.boundary)>;
   using Contacts = ContactList<decltype(ModelType::contact_model.broad_phase),
                                decltype(ModelType::contact_model.narrow_phase),
                                decltype(ModelType::contact_model.law), Domain,
@@ -68,19 +51,7 @@ class Simulation {
         contacts_(model_.contact_model.broad_phase, model_.contact_model.narrow_phase,
                   model_.contact_model.law),
         breakage_(model_) {
-    double intact_area = 0;
-    std::size_t intact = 0;
-    for (const PlacedParticle& placed : assembly.particles) {
-      const BodyIndex i = particles_.add(placed.polygon, placed.motion);
-      Body& body = particles_.body(i);
-      body.velocity = placed.velocity;
-      body.angular_velocity = placed.angular_velocity;
-      // Platens and fixed bodies are not grains.
-      if (body.motion == Motion::platen || body.motion == Motion::prescribed) continue;
-      intact_area += particles_.shape(i).area;
-      ++intact;
-    }
-    mean_area_ = intact == 0 ? particles_.shape(0).area : intact_area / static_cast<double>(intact);
+    mean_area_ = add_particles(assembly, particles_);
     choose_time_step();
     if constexpr (requires { boundary().enclose(assembly, particles_); })
       boundary().enclose(assembly, particles_);
@@ -103,7 +74,7 @@ class Simulation {
   template <class... Observers>
   void step(Observers&&... observers) {
     (hooks::check_step_observer<std::remove_cvref_t<Observers>, Simulation>(), ...);
-    const auto on_phase_end = phase_timer(observers...);
+    const auto on_phase_end = hooks::phase_timer(observers...);
     on_phase_end(StepPhase::other);
     boundary().drive(particles_.bodies(), time_step_);
     if constexpr (Domain::periodic) contacts_.set_domain(boundary().domain());
@@ -195,33 +166,19 @@ class Simulation {
   /// Element stresses of particle i under its present contact forces, in its own frame.
   [[nodiscard]] ElementStress element_stress(BodyIndex i) const {
     require_body(i);
-    return StressEvaluation{}(*find_operator(i), model_.stress_model.support,
-                              particles_.body(i).rotation, loads_on(contacts_, i), 1);
+    return stress_query().element_stress(i);
   }
   /// The finite-element mesh of particle i, in its own frame.
   [[nodiscard]] Mesh mesh(BodyIndex i) const {
     require_body(i);
-    return find_operator(i)->mesh();
+    return stress_query().mesh(i);
   }
-
   /// Rat of every particle now (0 for driven and unloaded ones), in the order of the bodies.
   [[nodiscard]] std::vector<double> failed_ratios() const {
-    std::vector<double> ratios(particles_.size(), 0);
-    if constexpr (breakable) {
-      const auto& breakage = model_.breakage_model;
-      ContactLoads loads;
-      loads.begin(contacts_, particles_.size());
-      StressEvaluation evaluate;
-      for (BodyIndex i = 0; i < particles_.size(); ++i) {
-        loads.gather(contacts_, i);
-        if (!particles_.body(i).is_free() || loads.of(i).empty()) continue;
-        const ElementStress& stress =
-            evaluate(*find_operator(i), model_.stress_model.support, particles_.body(i).rotation,
-                     loads.of(i), load_scale(breakage.trigger, particles_, i));
-        ratios[i] = count_failures(breakage.criterion, stress).ratio();
-      }
-    }
-    return ratios;
+    if constexpr (breakable)
+      return stress_query().failed_ratios();
+    else
+      return std::vector<double>(particles_.size(), 0);
   }
 
  private:
@@ -229,31 +186,8 @@ class Simulation {
     require(i < particles_.size(), "body", i, "must be in the simulation");
   }
 
-  [[nodiscard]] static ModelType validated(ModelType model, const Assembly& assembly,
-                                           const Rock& rock) {
-    model.validate();
-    assembly.validate();
-    rock.validate();
-    if (assembly.particles.empty()) throw InvalidInput("Assembly.particles is empty");
-    if (!Domain::periodic && assembly.period != Vec2{0, 0})
-      throw InvalidInput("Assembly.period is set: give the model a PeriodicCell as its boundary");
-    return model;
-  }
-
-  // The operator of particle i, from memory or built anew.
-  [[nodiscard]] std::shared_ptr<const InfluenceOperator> find_operator(BodyIndex i) const {
-    if (const InfluenceOperator* known = breakage_.find_operator(i))
-      return {std::shared_ptr<const InfluenceOperator>(), known};  // does not own it
-    return build_operator(model_.stress_model, rock_, particles_, i);
-  }
-
-  // Notifies observers that measure time; does nothing if there are none.
-  template <class... Observers>
-  [[nodiscard]] static auto phase_timer(Observers&... observers) {
-    if constexpr ((hooks::times_phases<Observers> || ...))
-      return [&](StepPhase part) { (hooks::on_phase_end(observers, part), ...); };
-    else
-      return NoPhaseTimer{};
+  [[nodiscard]] StressQuery<ModelType, Contacts> stress_query() const {
+    return {model_, rock_, particles_, contacts_, breakage_};
   }
 
   [[nodiscard]] auto body_step() {
@@ -340,18 +274,8 @@ class Simulation {
                        .areas = {particles_.shape(i).area, particles_.shape(second).area}});
   }
 
-  // From the smallest intact free particle; of all particles where none is free.
   void choose_time_step() {
-    constexpr double none = std::numeric_limits<double>::infinity();
-    double free = none;
-    double any = none;
-    for (BodyIndex i = 0; i < particles_.size(); ++i) {
-      const Body& body = particles_.body(i);
-      if (particles_.ancestry(i).generation > 0) continue;
-      any = std::min(any, body.mass);
-      if (body.is_free()) free = std::min(free, body.mass);
-    }
-    smallest_mass_ = free < none ? free : any < none ? any : smallest_mass_;
+    smallest_mass_ = smallest_intact_mass(particles_, smallest_mass_);
     const double stiffness = contacts_.law().peak_stiffness();
     time_step_ = model_.motion_model.time_step.time_step(smallest_mass_, stiffness);
   }

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// Sets up a simulation: checks its input and adds the particles of the assembly.
+
+#include <cstddef>
+
+#include <riprap/core/errors.hpp>
+#include <riprap/dynamics/boundary/domain_of.hpp>
+#include <riprap/material/rock.hpp>
+#include <riprap/particle/assembly.hpp>
+#include <riprap/particle/particles.hpp>
+
+namespace riprap {
+
+/// The model, if it, the assembly and the rock break no rule; else throws InvalidInput.
+template <class ModelType>
+[[nodiscard]] ModelType validated(ModelType model, const Assembly& assembly, const Rock& rock) {
+  using BoundaryType = decltype(ModelType::motion_model.boundary);
+  model.validate();
+  assembly.validate();
+  rock.validate();
+  if (assembly.particles.empty()) throw InvalidInput("Assembly.particles is empty");
+  if (!PeriodicBoundary<BoundaryType> && assembly.period != Vec2{0, 0})
+    throw InvalidInput("Assembly.period is set: give the model a PeriodicCell as its boundary");
+  return model;
+}
+
+/// Adds the particles of an assembly. Returns the mean area of its grains [m^2]; platens and
+/// prescribed bodies are none. That of the first body where there is no grain.
+inline double add_particles(const Assembly& assembly, Particles& particles) {
+  double area = 0;
+  std::size_t grains = 0;
+  for (const PlacedParticle& placed : assembly.particles) {
+    const BodyIndex i = particles.add(placed.polygon, placed.motion);
+    Body& body = particles.body(i);
+    body.velocity = placed.velocity;
+    body.angular_velocity = placed.angular_velocity;
+    if (body.motion == Motion::platen || body.motion == Motion::prescribed) continue;
+    area += particles.shape(i).area;
+    ++grains;
+  }
+  return grains == 0 ? particles.shape(0).area : area / static_cast<double>(grains);
+}
+
+}  // namespace riprap

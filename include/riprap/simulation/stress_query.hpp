@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// Stresses of the particles of a simulation on demand, outside of a breakage pass.
+
+#include <memory>
+#include <vector>
+
+#include <riprap/breakage/failure_count.hpp>
+#include <riprap/breakage/trigger/load_scale.hpp>
+#include <riprap/simulation/breakage_stage.hpp>
+#include <riprap/stress/contact_loads.hpp>
+#include <riprap/stress/particle_stress.hpp>
+
+namespace riprap {
+
+/// Reads the state of a simulation and changes nothing: operators that are not in memory are built
+/// and not kept.
+template <class ModelType, class Contacts>
+class StressQuery {
+ public:
+  StressQuery(const ModelType& model, const Rock& rock, const Particles& particles,
+              const Contacts& contacts, const BreakageStage<ModelType>& stage)
+      : model_(model), rock_(rock), particles_(particles), contacts_(contacts), stage_(stage) {}
+
+  /// Element stresses of particle i under its present contact forces, in its own frame.
+  [[nodiscard]] ElementStress element_stress(BodyIndex i) const {
+    return StressEvaluation{}(*find_operator(i), model_.stress_model.support,
+                              particles_.body(i).rotation, loads_on(contacts_, i), 1);
+  }
+  [[nodiscard]] Mesh mesh(BodyIndex i) const { return find_operator(i)->mesh(); }
+
+  /// Share of the failed elements of every particle; 0 for driven and unloaded ones.
+  [[nodiscard]] std::vector<double> failed_ratios() const {
+    const auto& breakage = model_.breakage_model;
+    std::vector<double> ratios(particles_.size(), 0);
+    ContactLoads loads;
+    loads.begin(contacts_, particles_.size());
+    StressEvaluation evaluate;
+    for (BodyIndex i = 0; i < particles_.size(); ++i) {
+      loads.gather(contacts_, i);
+      if (!particles_.body(i).is_free() || loads.of(i).empty()) continue;
+      const ElementStress& stress =
+          evaluate(*find_operator(i), model_.stress_model.support, particles_.body(i).rotation,
+                   loads.of(i), load_scale(breakage.trigger, particles_, i));
+      ratios[i] = count_failures(breakage.criterion, stress).ratio();
+    }
+    return ratios;
+  }
+
+ private:
+  // From memory or built anew.
+  [[nodiscard]] std::shared_ptr<const InfluenceOperator> find_operator(BodyIndex i) const {
+    if (const InfluenceOperator* known = stage_.find_operator(i))
+      return {std::shared_ptr<const InfluenceOperator>(), known};  // does not own it
+    return build_operator(model_.stress_model, rock_, particles_, i);
+  }
+
+  const ModelType& model_;
+  const Rock& rock_;
+  const Particles& particles_;
+  const Contacts& contacts_;
+  const BreakageStage<ModelType>& stage_;
+};
+
+}  // namespace riprap
