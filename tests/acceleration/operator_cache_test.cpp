@@ -60,7 +60,8 @@ TEST_CASE("what a compact operator was made from stays as long as a quarter of t
   CHECK(store.bytes() == before + third);
 }
 
-TEST_CASE("operators that were not asked for longest make room, exact ones before compact ones") {
+TEST_CASE(
+    "the least recently used operators are evicted, exact ones before those in single precision") {
   const Particles particles = row_of_triangles(9);
   OperatorCache::State store;
   store.set_budget(1);  // no room for what compact ones are made from
@@ -77,7 +78,7 @@ TEST_CASE("operators that were not asked for longest make room, exact ones befor
   store.evict();
   CHECK(store.bytes() <= store.budget() - store.budget() / 8);
   CHECK(store.bytes() < all_compact + fresh);
-  // Those asked for in this turn are still there, the first of the others is not.
+  // Those used in this epoch are in memory, the first of the others is not.
   const std::size_t before = store.bytes();
   for (const BodyIndex i : {0u, 1u, 2u, 3u, 8u})
     (void)store.single_precision(i, builder(particles, i));

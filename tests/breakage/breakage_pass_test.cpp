@@ -19,7 +19,7 @@ using namespace riprap::test;
 
 namespace {
 
-// Counts how often it is asked, and refuses.
+// Counts its calls, and refuses.
 struct CountingSplitter {
   int* asked;
   std::optional<CutRings> operator()(Ring, const Line&, double) const {
@@ -61,7 +61,7 @@ TEST_CASE("a refused cut is not tried again while the partners are the same") {
   CHECK(asked == so_far + 1);
 }
 
-TEST_CASE("a contact that comes or goes is noticed, whatever was known before") {
+TEST_CASE("a contact that begins or ends is considered, whatever the bounds before") {
   const auto model = Model{};
   const Simulation loaded{model, crushed, Rock{}};
   // The same pairs; the platen above the particle on the right, or both of them, do not touch.
@@ -85,7 +85,7 @@ TEST_CASE("a contact that comes or goes is noticed, whatever was known before") 
 
 namespace {
 
-// Cuts into a square whose first vertex comes again, into a ring turned round, and into pieces that
+// Cuts into a ring that repeats its first vertex, a clockwise ring, and pieces that
 // are larger than the whole.
 struct ClosedRings {
   std::optional<CutRings> operator()(Ring ring, const Line& line, double) const {

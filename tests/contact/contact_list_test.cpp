@@ -109,7 +109,7 @@ TEST_CASE("pairs are sorted by their bodies, a before b, and hold every contact"
     CHECK(pairs[k].a < pairs[k].b);
     if (k > 0) CHECK(std::pair(pairs[k - 1].a, pairs[k - 1].b) < std::pair(pairs[k].a, pairs[k].b));
   }
-  // Against the narrow phase asked for every pair there is.
+  // Compared with the narrow phase of all pairs.
   std::vector<std::pair<BodyIndex, BodyIndex>> expected;
   for (BodyIndex i = 0; i < particles.size(); ++i)
     for (BodyIndex j = i + 1; j < particles.size(); ++j) {
@@ -146,7 +146,7 @@ TEST_CASE("the contacts of a task are those with one of its bodies, in order") {
   list.for_each_touching_of(task_count(bodies), [&](const auto&, std::size_t) { CHECK(false); });
 }
 
-TEST_CASE("pairs are numbered anew where they have come, gone or changed places, and only there") {
+TEST_CASE("the revision changes if pairs were added, removed or reordered, and only then") {
   Particles particles = crowd(2, 40);
   List list = list_with_skin(0.1);
   using Pairs = std::vector<std::pair<BodyIndex, BodyIndex>>;
@@ -434,7 +434,7 @@ TEST_CASE("the history of a contact survives a rebuild of the pairs") {
   CHECK(particles.body(1).contact.force.x() == near_relative(-200, 1e-9));
 }
 
-TEST_CASE("finding the pairs anew on demand changes neither forces nor histories") {
+TEST_CASE("a rebuild on demand changes neither forces nor histories") {
   Particles particles = crowd(4, 40);
   List list = list_with_skin(0.1);
   for (int step = 0; step < 50; ++step) {
@@ -452,7 +452,7 @@ TEST_CASE("finding the pairs anew on demand changes neither forces nor histories
   }
 }
 
-TEST_CASE("a contact that opens forgets, even while the pair stays near") {
+TEST_CASE("a contact that opens loses its history, even if the pair stays in the list") {
   Particles particles = two_blocks();
   List list = list_with_skin(0.1);
   shear(particles, list, 2e-4);
@@ -555,7 +555,7 @@ Broken break_beam(bool beam_first) {
 
 }  // namespace
 
-TEST_CASE("the pieces of a broken body take over its contacts, each those at its own place") {
+TEST_CASE("contacts of a broken body go to the piece on whose side they lie") {
   for (const bool beam_first : {true, false}) {
     CAPTURE(beam_first);
     Broken b = break_beam(beam_first);
@@ -591,7 +591,7 @@ TEST_CASE("the pieces of a broken body take over its contacts, each those at its
   }
 }
 
-TEST_CASE("a contact that both pieces touch leaves its history to the one that holds its point") {
+TEST_CASE("of a contact that both pieces touch, the piece at its point keeps the history") {
   Particles particles(1, 2500);
   particles.add(rectangle({0, 0}, 3, 1), Motion::free);
   particles.add(rectangle({0.1, 0.999}, 1, 1), Motion::free);

@@ -50,10 +50,10 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { s
 
 using namespace riprap;
 
-TEST_CASE("a thousand warm steps allocate nothing, new lists of neighbours included") {
+TEST_CASE("a thousand warm steps allocate nothing, rebuilds of the neighbour list included") {
   Simulation sim{Model{}, random_assembly({.count = 200, .seed = 5}), Rock{}};
   sim.set_breakage(false);
-  // Loose bodies that are pushed together meet new neighbours all the time.
+  // Loose bodies that are pushed together get new neighbours all the time.
   sim.boundary().set_rate(2, 2);
   const auto pairs = [&] { return sim.contacts().pairs().size(); };
   std::size_t most_pairs = 0;
@@ -85,8 +85,8 @@ TEST_CASE("a split costs less than twenty allocations, an operator less than a t
   }
   CHECK(alone >= 5);
 
-  // Pieces have no operator before they are asked for. A mesh tries spacings until one gives the
-  // number of triangles asked for, so that some take more than others.
+  // Pieces have no operator before their first check. A mesh tries spacings until one gives the
+  // requested number of triangles, so that some take more than others.
   std::size_t least = 10'000;
   for (std::size_t k = 1; k <= 10; ++k) {
     const std::size_t before = allocations;

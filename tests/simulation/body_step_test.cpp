@@ -52,14 +52,15 @@ TEST_CASE_TEMPLATE("kinetic energy is what contacts, body force and damping leav
   if (step.has_second_kick) work += step.second_kick(particles, 0, 2);
 
   const Body& after = particles.body(0);
-  // Contacts do 4 N times the way at the mean velocity of each kick. Damping makes two kicks differ
-  // by 10/s * 1 ms, one per cent, and the means of the means by the square of that over 16.
+  // Contacts do 4 N times the displacement at the mean velocity of each kick. Damping makes two
+  // kicks differ by 10/s * 1 ms, one per cent, and the means of the means by the square of that
+  // over 16.
   const double by_contacts = 4 * dt * 0.5 * (before.velocity.x() + after.velocity.x());
   CHECK(after.kinetic_energy() - before.kinetic_energy() ==
         near(by_contacts + work.body_force - work.damping, 1e-5 * by_contacts));
   CHECK(work.damping == near_relative(10 * 2 * 3 * 3 * dt, 0.01));
   CHECK(work.body_force > 0);
-  // The driven body holds 4 N at bay.
+  // The driven body resists 4 N.
   CHECK(work.boundary == near(-4 * 3 * dt, 1e-16));
 }
 

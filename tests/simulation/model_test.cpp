@@ -77,7 +77,7 @@ TEST_CASE("an invalid policy is named with its value and its rule") {
   CHECK_NOTHROW(Model{}.validate());
 }
 
-TEST_CASE("the policy of every role is asked whether its parameters are right") {
+TEST_CASE("the parameters of the policy of every role are validated") {
   const auto refuses = [](const auto& model) { CHECK_THROWS_AS(model.validate(), InvalidInput); };
   refuses(Model{}.broad_phase(Refused<UniformGrid>{}));
   refuses(Model{}.narrow_phase(Refused<OverlapChord>{}));

@@ -173,7 +173,7 @@ TEST_CASE("the work of the cell is stress times strain, and the ledger closes") 
   CHECK(std::abs(terms.law_residual) <= 1e-2 * terms.boundary_work);
 }
 
-TEST_CASE("a periodic assembly asks for a periodic cell, and the other way round") {
+TEST_CASE("a periodic assembly needs a periodic cell, and vice versa") {
   const Assembly sample = random_periodic_assembly({.count = 60, .seed = 4});
   CHECK_THROWS_WITH_AS((Simulation{Model{}, sample, Rock{}}),
                        "Assembly.period is set: give the model a PeriodicCell as its boundary",

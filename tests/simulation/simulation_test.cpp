@@ -79,7 +79,7 @@ struct AroundSplits {
   }
 };
 
-// A user's splitter that refuses everything and counts how often it was asked.
+// A user's splitter that refuses everything and counts its calls.
 struct CountingRefusal {
   int* asked;
   std::optional<CutRings> operator()(Ring, const Line&, double) const {

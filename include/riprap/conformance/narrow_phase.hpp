@@ -108,7 +108,7 @@ void check_pair_symmetry(const N& narrow, const PolygonPair& pair, double size, 
 }
 
 /// Pairs evaluated in batches have the contacts of pairs evaluated singly, bitwise.
-template <FindsBatches N>
+template <BatchedNarrowPhase N>
 void check_groups(const N& narrow, const std::vector<PolygonPair>& pairs, AxiomCheck& check) {
   std::array<typename N::Cache, N::Batch::capacity> memories;
   std::array<ContactGeometry, N::Batch::capacity> contacts;
@@ -149,7 +149,7 @@ template <NarrowPhase N>
         check.at_most("the clearance is no more than the distance of the rings [m]",
                       narrow.clearance(cache), -pair.overlap + 1e-12 * size);
   }
-  if constexpr (FindsBatches<N>)
+  if constexpr (BatchedNarrowPhase<N>)
     internal::check_groups(narrow, internal::polygon_pairs(size), check);
   return std::move(check).violations();
 }

@@ -36,7 +36,7 @@ CornerArcLength::Projections projections_at(const CornerArcLength& corner, const
 
 }  // namespace
 
-TEST_CASE("the way along the boundary is that between the boundary points, round the corner too") {
+TEST_CASE("the arc length is that between the boundary points, also across a corner") {
   Random random(61);
   int round = 0;
   int checked = 0;

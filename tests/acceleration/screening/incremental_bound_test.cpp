@@ -63,15 +63,16 @@ struct Priced {
 // As seen from the laboratory.
 bool holds(const std::vector<LoadSensitivity>& sensitivities, const std::vector<Load>& loads,
            const Rotation& rotation, std::size_t count) {
-  IncrementalBound watch(rotation, static_cast<std::uint32_t>(count));
+  IncrementalBound bound(rotation, static_cast<std::uint32_t>(count));
   for (std::size_t k = loads.size(); k-- > 0;)
-    watch.accumulate(sensitivities[k], rotation * loads[k].arm, rotation * loads[k].force);
-  return watch.within_budget();
+    bound.accumulate(sensitivities[k], rotation * loads[k].arm, rotation * loads[k].force);
+  return bound.within_budget();
 }
 
 }  // namespace
 
-TEST_CASE("a watch holds up to the budget, however the particle has turned") {
+TEST_CASE(
+    "an incremental bound is within the budget up to it, whatever the rotation of the particle") {
   Random random(91);
   for (int sample = 0; sample < 500; ++sample) {
     const Priced priced(random);

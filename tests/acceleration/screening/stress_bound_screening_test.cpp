@@ -15,7 +15,7 @@ using namespace riprap::test;
 
 namespace {
 
-// Counts how often it is asked what it needs: once for every particle that is evaluated.
+// Counts calls of failed_elements_needed: one for every particle that is screened.
 struct CountingTrigger : FailedElementRatio {
   int* asked = nullptr;
   std::size_t failed_elements_needed(std::size_t elements) const {

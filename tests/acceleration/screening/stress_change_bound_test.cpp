@@ -95,10 +95,10 @@ struct Loaded {
 // Incremental bound of the present contacts, with weights for some of them.
 bool within_budget(const StressChangeBound::Sensitivities& sensitivities, std::size_t weighted,
                    const Loaded& particle) {
-  IncrementalBound watch(particle.rotation, static_cast<std::uint32_t>(weighted));
+  IncrementalBound bound(particle.rotation, static_cast<std::uint32_t>(weighted));
   for (std::size_t k = 0; k < particle.loads.size(); ++k)
-    watch.accumulate(sensitivities[k], particle.loads[k].arm_lab, particle.loads[k].force_lab);
-  return watch.within_budget();
+    bound.accumulate(sensitivities[k], particle.loads[k].arm_lab, particle.loads[k].force_lab);
+  return bound.within_budget();
 }
 
 // A change of all loads, or of one of them alone: of its force, of its place or of both, along an
@@ -158,7 +158,7 @@ double frobenius(const ElementStress& a) {
 
 }  // namespace
 
-TEST_CASE("where a reference holds, the stresses have moved by no more than its limit") {
+TEST_CASE("within the limit of a reference, stresses have changed by no more than it") {
   Random random(81);
   int held = 0;
   int asked = 0;
@@ -209,7 +209,7 @@ TEST_CASE("a load gets weights as long as a tenth of the limit is left") {
   }
 }
 
-TEST_CASE("as far as a watch holds, the stresses are within the limit") {
+TEST_CASE("while an incremental bound is within its budget, the stresses are within the limit") {
   Random random(85);
   int asked = 0;
   double used = 0;  // of the limit

@@ -48,7 +48,7 @@ TEST_CASE("nothing fails where it was chosen that nothing fails") {
   CHECK_FALSE(evaluate(choice, Stress2{1e15, -1e15, 0}).failed());
 }
 
-TEST_CASE("a choice asks the chosen criterion for its rules") {
+TEST_CASE("a choice validates the chosen criterion") {
   CHECK_NOTHROW(Choice{NeverFails{}}.validate());
   CHECK_THROWS_WITH_AS(Choice{HoekBrown{.m_b = -1}}.validate(),
                        "HoekBrown.m_b = -1: must be a finite number above 0", InvalidInput);

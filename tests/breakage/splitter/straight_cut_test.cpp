@@ -68,7 +68,7 @@ TEST_CASE("cuts that leave a piece too slender are refused") {
   CHECK_FALSE(rule(unit_square, upright(1 - limit + 1e-6), 1));
 }
 
-TEST_CASE("the default rule asks for 8 % of the mean area and an aspect of at most 3") {
+TEST_CASE("the default rule needs 8 % of the mean area and an aspect of at most 3") {
   const StraightCut rule;
   CHECK(rule.minimum_area == 0.08);
   CHECK(rule.maximum_aspect == 3);

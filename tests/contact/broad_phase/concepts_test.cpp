@@ -53,7 +53,7 @@ static_assert(!BroadPhase<ChangesTheSpan>);
 
 }  // namespace
 
-TEST_CASE("boxes meet if they share a point, whichever is asked") {
+TEST_CASE("boxes overlap if they share a point, in either order") {
   const Box unit{{0, 0}, {1, 1}};
   const auto both_ways = [&unit](const Box& other) {
     CHECK(unit.overlaps(other) == other.overlaps(unit));

@@ -61,7 +61,7 @@ TEST_CASE("a contact forgets its history when another law is chosen") {
   const Choice first{LinearSpringCoulomb{}};
   CHECK(first(geometry, sliding, history).tangential != 0);
   const Choice second{SpringDashpot{}};
-  // Stored: the normal spring alone, before and after the law has been asked for its force.
+  // Stored: the normal spring alone, before and after the force is evaluated.
   const double normal = SpringDashpot{}.stored_energy(geometry, {});
   CHECK(second.stored_energy(geometry, history) == normal);
   CHECK(second(geometry, {}, history).tangential == 0);
@@ -79,7 +79,7 @@ TEST_CASE("a choice without friction is the chosen law without friction") {
   CHECK(std::holds_alternative<NoContactForce>(frictionless(Choice{NoContactForce{}}).chosen));
 }
 
-TEST_CASE("a choice asks the chosen contact law for its rules") {
+TEST_CASE("a choice validates the chosen contact law") {
   CHECK_NOTHROW(Choice{NoContactForce{}}.validate());
   CHECK(test::message_of([] { Choice{SpringDashpot{.damping_ratio = 1}}.validate(); }) ==
         "SpringDashpot.damping_ratio = 1: must lie in [0, 1)");

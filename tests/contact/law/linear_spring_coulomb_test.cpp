@@ -115,7 +115,7 @@ TEST_CASE("a sliding contact resists with the friction coefficient times the nor
   }
 }
 
-TEST_CASE("steady sliding dissipates the friction force times the way slipped") {
+TEST_CASE("steady sliding dissipates the friction force times the slip") {
   LinearSpringCoulomb::History history;
   shear(law, depth, 2 * slip_way, 100, history);
   const double way = 30 * slip_way;
@@ -129,7 +129,7 @@ TEST_CASE("stored plus slipped energy is the work done, through stick, slip and 
   double work = 0;
   double friction_loss = 0;
   const double start = law.stored_energy(pressed(depth), history);
-  // No step is longer than the way from one friction limit to the other.
+  // No step is longer than the slip from one friction limit to the other.
   for (const double way : {0.3, 2.1, -1.7, -3.3, 0.4}) {
     const Outcome part = shear(law, depth, way * slip_way, 37, history);
     work += part.work;
@@ -184,7 +184,7 @@ TEST_CASE("evaluating the law again with a time step of zero repeats the force a
   }
 }
 
-TEST_CASE("the force depends on the way and not on how it is divided into steps") {
+TEST_CASE("the force depends on the displacement, not on its division into steps") {
   LinearSpringCoulomb::History coarse;
   LinearSpringCoulomb::History fine;
   for (const double way : {0.6, -1.1, 0.9}) {

@@ -93,9 +93,9 @@ struct BatchTooLarge : archetype::NarrowPhase {
 };
 
 static_assert(NarrowPhase<FindsSeveral>);
-static_assert(FindsBatches<FindsSeveral>);
+static_assert(BatchedNarrowPhase<FindsSeveral>);
 static_assert(NarrowPhase<Inherits>);
-static_assert(!FindsBatches<Inherits>);
+static_assert(!BatchedNarrowPhase<Inherits>);
 static_assert(!NarrowPhase<BatchWithoutOf>);
 static_assert(!NarrowPhase<FindNotConst>);
 static_assert(!NarrowPhase<BatchTooLarge>);

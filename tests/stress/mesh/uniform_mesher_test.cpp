@@ -118,7 +118,7 @@ std::set<std::array<std::uint32_t, 3>> triangle_set(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("triangles cover any convex polygon exactly, edge to edge, at any number asked for") {
+TEST_CASE("triangles cover any convex polygon exactly, edge to edge, for any requested number") {
   for (const unsigned wanted : {4u, 13u, 100u, 1000u})
     for (const Sample& sample : samples(wanted > 100 ? 5 : 40)) {
       CAPTURE(sample.name);
@@ -194,10 +194,10 @@ TEST_CASE("a splinter too thin for the integers of its triangulation is refused"
   CHECK(message.ends_with(": must be 1e5 at most"));
 }
 
-// The boundary may need more triangles than the number asked for: a polygon of v vertices
+// The boundary may need more triangles than requested: a polygon of v vertices
 // needs v - 2 triangles, and moving one row of points changes the count by as many as it has. A
 // tenth and no more is what "about 100 triangles" is taken to mean; on average much less.
-TEST_CASE("the number of triangles is the one asked for to a tenth, and to 2 % on average") {
+TEST_CASE("the number of triangles is the requested one to a tenth, and to 2 % on average") {
   for (const unsigned wanted : {4u, 30u, 100u, 300u, 1000u})
     for (const Sample& sample : samples(wanted > 100 ? 10 : 60)) {
       CAPTURE(sample.name);

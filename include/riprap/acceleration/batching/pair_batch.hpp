@@ -27,7 +27,7 @@ class PairBatch {
 
 /// A narrow phase with batches: pairs that touched are collected until a batch is full.
 template <NarrowPhase Narrow>
-  requires FindsBatches<Narrow>
+  requires BatchedNarrowPhase<Narrow>
 class PairBatch<Narrow> {
  public:
   /// Adds pair k; false if it has to be evaluated singly. Images have no ring in memory.

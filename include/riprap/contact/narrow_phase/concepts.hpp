@@ -66,7 +66,7 @@ concept NarrowPhaseBatch = !requires { typename N::Batch; } || (requires {
 
 /// Whether a narrow phase evaluates pairs in batches.
 template <class N>
-concept FindsBatches = requires { requires std::same_as<typename N::Batch::Of, N>; };
+concept BatchedNarrowPhase = requires { requires std::same_as<typename N::Batch::Of, N>; };
 
 /// A `NarrowPhase` turns two placed rings into contact geometry.
 template <class N>
