@@ -9,7 +9,7 @@ set(pkgconfig_dir ${CMAKE_INSTALL_DATADIR}/pkgconfig)
 set(generated ${PROJECT_BINARY_DIR}/package)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/riprap DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        FILES_MATCHING PATTERN *.hpp)
+        FILES_MATCHING PATTERN *.hpp PATTERN *.ipp)
 # Not CMAKE_INSTALL_DOCDIR, which bears the name of the project at the top.
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/riprap)
 

@@ -16,7 +16,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} --install ${build} --prefix ${first}
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 file(RENAME ${first} ${prefix})
 
-file(GLOB_RECURSE wanted RELATIVE ${source} ${source}/include/*.hpp)
+file(GLOB_RECURSE wanted RELATIVE ${source} ${source}/include/*.hpp ${source}/include/*.ipp)
 list(APPEND wanted
      share/cmake/riprap/riprapConfig.cmake share/cmake/riprap/riprapConfigVersion.cmake
      share/cmake/riprap/riprapTargets.cmake share/doc/riprap/LICENSE share/pkgconfig/riprap.pc)
