@@ -3,7 +3,6 @@
 /// @file
 /// Overlap of one or two corners of a convex ring with a single edge of another, in closed form.
 
-#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <riprap/core/lanes.hpp>
 #include <riprap/core/vec2.hpp>
 #include <riprap/geometry/corner_edge_feature.hpp>
 #include <riprap/geometry/line_side.hpp>
@@ -37,16 +37,12 @@ struct CornerEdgeQuery {
 
 /// Number of overlaps evaluated at once (SIMD): that of doubles in a vector register. Each lane
 /// computes what a scalar evaluation would, so that results do not depend on the number.
-#ifdef __AVX__
-inline constexpr std::size_t simd_lanes = 4;
-#else
-inline constexpr std::size_t simd_lanes = 2;
-#endif
+inline constexpr std::size_t simd_lanes = internal::double_lanes;
 using CornerEdgeQueries = std::array<CornerEdgeQuery, simd_lanes>;
 
 namespace internal {
 
-using Lanes = Eigen::Array<double, simd_lanes, 1>;
+using Lanes = DoubleLanes;
 
 // A vertex of every query, relative to an origin. Always inlined: passed through memory, the lanes
 // would cost what they save.
@@ -59,13 +55,13 @@ struct VertexLanes {
     const auto at = [&](std::size_t l) __attribute__((always_inline))->const Vec2& {
       return (queries[l].*ring)[queries[l].place->*vertex];
     };
-    if constexpr (simd_lanes == 2) {
-      x = {at(0).x(), at(1).x()};
-      y = {at(0).y(), at(1).y()};
-    } else {
-      x = {at(0).x(), at(1).x(), at(2).x(), at(3).x()};
-      y = {at(0).y(), at(1).y(), at(2).y(), at(3).y()};
-    }
+#ifndef __AVX__
+    x = Lanes{at(0).x(), at(1).x()};
+    y = Lanes{at(0).y(), at(1).y()};
+#else
+    x = Lanes{at(0).x(), at(1).x(), at(2).x(), at(3).x()};
+    y = Lanes{at(0).y(), at(1).y(), at(2).y(), at(3).y()};
+#endif
   }
   [[gnu::always_inline]] VertexLanes(const VertexLanes& v, const VertexLanes& origin)
       : x(v.x - origin.x), y(v.y - origin.y) {}
@@ -116,6 +112,9 @@ template <class Found>
   using Feature = CornerEdgeFeature;
   using Numbers = internal::Lanes;
   using internal::CrossingLanes;
+  using internal::largest_of;
+  using internal::least_of;
+  using internal::square_root_of;
   using internal::VertexLanes;
   constexpr double margin = 1e-8;
   const VertexLanes start(queries, &CornerEdgeQuery::ring, &Feature::edge);
@@ -124,9 +123,8 @@ template <class Found>
   const CrossingLanes in(queries, start, edge, &Feature::first, &Feature::before);
   const CrossingLanes out(queries, start, edge, &Feature::last, &Feature::after);
   const Numbers width = in.along - out.along;
-  const Numbers least = in.deep.min(in.high)
-                            .min(out.deep.min(out.high))
-                            .min(out.along.min(width.min(squared - in.along)));
+  const Numbers least = least_of(least_of(least_of(in.deep, in.high), least_of(out.deep, out.high)),
+                                 least_of(out.along, least_of(width, squared - in.along)));
   const Numbers clear = margin * squared;
 
   // The triangle of the edge and the opposite vertex contains most points inside the ring near the
@@ -137,38 +135,37 @@ template <class Found>
   const Numbers left_out = out.inside.x * opposite.y - out.inside.y * opposite.x;
   // No less than the square of the sum of the lengths of two sides.
   const Numbers size = 4 * (squared + opposite.x * opposite.x + opposite.y * opposite.y);
-  const Numbers inside = left_in.min(twice_area - in.deep - left_in)
-                             .min(left_out.min(twice_area - out.deep - left_out)) -
+  const Numbers inside = least_of(least_of(left_in, twice_area - in.deep - left_in),
+                                  least_of(left_out, twice_area - out.deep - left_out)) -
                          2 * margin * size;
 
-  const Numbers length = squared.sqrt();
-  const Numbers scale = length.inverse();
+  const Numbers length = square_root_of(squared);
+  const Numbers scale = 1 / length;
   const Numbers middle = 0.5 * (in.along + out.along) * scale * scale;
   const Numbers normal_x = edge.y * scale;
   const Numbers normal_y = -edge.x * scale;
   const Numbers middle_x = start.x + middle * edge.x;
   const Numbers middle_y = start.y + middle * edge.y;
-  const Numbers depth = in.deep.max(out.deep) * scale;
+  const Numbers depth = largest_of(in.deep, out.deep) * scale;
   const Numbers chord = width * scale;
   const Numbers quadrangle =
       0.5 * scale * scale *
       ((in.inside_along - out.along) * out.deep + (in.along - out.inside_along) * in.deep);
-  const auto report = [&]<Eigen::Index k>(std::integral_constant<Eigen::Index, k>)
+  const auto report = [&]<std::size_t l>(std::integral_constant<std::size_t, l>)
       __attribute__((always_inline)) {
-    constexpr auto l = static_cast<std::size_t>(k);
-    const bool crossed = least[k] > clear[k];
+    const bool crossed = least[l] > clear[l];
     if (!crossed) return;
-    if (!(inside[k] > 0) && !internal::inside_all(queries[l], margin * length[k])) return;
+    if (!(inside[l] > 0) && !internal::inside_all(queries[l], margin * length[l])) return;
     const bool one_vertex = queries[l].place->one_vertex();
-    found(l, CornerEdgeOverlap{.normal = {normal_x[k], normal_y[k]},
-                               .middle = {middle_x[k], middle_y[k]},
-                               .depth = depth[k],
-                               .area = one_vertex ? 0.5 * chord[k] * depth[k] : quadrangle[k],
-                               .chord = chord[k],
+    found(l, CornerEdgeOverlap{.normal = {normal_x[l], normal_y[l]},
+                               .middle = {middle_x[l], middle_y[l]},
+                               .depth = depth[l],
+                               .area = one_vertex ? 0.5 * chord[l] * depth[l] : quadrangle[l],
+                               .chord = chord[l],
                                .one_vertex = one_vertex});
   };
   [&]<std::size_t... l>(std::index_sequence<l...>) __attribute__((always_inline)) {
-    (report(std::integral_constant<Eigen::Index, l>{}), ...);
+    (report(std::integral_constant<std::size_t, l>{}), ...);
   }
   (std::make_index_sequence<simd_lanes>{});
 }
