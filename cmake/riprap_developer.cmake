@@ -1,9 +1,15 @@
 # SPDX-License-Identifier: BSL-1.0
 # How riprap's own tests, examples and benchmarks are compiled. Nothing of this reaches a project
 # that uses riprap: its warnings and its floating-point flags are its own choice.
+# riprap_developer_target(TARGET [COMPILED]): with COMPILED linked to riprap::compiled, unless
+# RIPRAP_TEST_COMPILED is off.
 
 function(riprap_developer_target target)
-  target_link_libraries(${target} PRIVATE riprap::riprap)
+  if(ARGN STREQUAL COMPILED AND RIPRAP_TEST_COMPILED)
+    target_link_libraries(${target} PRIVATE riprap::compiled)
+  else()
+    target_link_libraries(${target} PRIVATE riprap::riprap)
+  endif()
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
 
   # Warnings that g++ 12 and clang 16 both know. Eigen, Boost and the other libraries are imported

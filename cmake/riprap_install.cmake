@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSL-1.0
-# cmake --install: the headers, what find_package and pkg-config need to find them, the licence.
+# cmake --install: the headers, what find_package and pkg-config need to find them, the licence; on
+# request the library riprap::compiled.
 # Nothing installed holds an absolute path, so the tree may be moved.
 
 include(GNUInstallDirs)
@@ -9,16 +10,22 @@ set(pkgconfig_dir ${CMAKE_INSTALL_DATADIR}/pkgconfig)
 set(generated ${PROJECT_BINARY_DIR}/package)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/riprap DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        FILES_MATCHING PATTERN *.hpp)
+        FILES_MATCHING PATTERN *.hpp PATTERN *.ipp)
 # Not CMAKE_INSTALL_DOCDIR, which bears the name of the project at the top.
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/riprap)
 
 install(TARGETS riprap EXPORT riprapTargets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+if(RIPRAP_INSTALL_COMPILED)
+  set_target_properties(riprap_compiled PROPERTIES EXCLUDE_FROM_ALL OFF)
+  install(TARGETS riprap_compiled EXPORT riprapTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+else()
+  set(arch_independent ARCH_INDEPENDENT)
+endif()
 install(EXPORT riprapTargets NAMESPACE riprap:: DESTINATION ${package_dir})
 configure_file(cmake/riprapConfig.cmake.in ${generated}/riprapConfig.cmake @ONLY)
 # Before 1.0 a new minor version may break what used the last one.
 write_basic_package_version_file(${generated}/riprapConfigVersion.cmake
-                                 COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+                                 COMPATIBILITY SameMinorVersion ${arch_independent})
 install(FILES ${generated}/riprapConfig.cmake ${generated}/riprapConfigVersion.cmake
         DESTINATION ${package_dir})
 

@@ -180,8 +180,8 @@ TEST_CASE("every number of a table reads back as the same double") {
                            std::numeric_limits<double>::infinity()};
   for (int i = 0; i < 1000; ++i)
     rows.push_back(random.uniform(-1, 1) * std::pow(10, random.uniform(-20, 20)));
-  const Table table(csv_text(
-      CsvColumns<double>{internal::column<double>("x", [](const double& v) { return v; })}, rows));
+  const Table table(
+      csv_text(CsvColumns<double>{{"x", [](const double& v) { return to_text(v); }}}, rows));
   REQUIRE(table.rows.size() == rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     CHECK(table.number(i, "x") == rows[i]);
@@ -296,8 +296,8 @@ TEST_CASE("write_csv writes the curve's table, and names the path where it canno
 
 TEST_CASE("any number has a cell in a table") {
   const std::vector<double> rows(test::extreme_numbers.begin(), test::extreme_numbers.end());
-  const Table table(csv_text(
-      CsvColumns<double>{internal::column<double>("x", [](const double& v) { return v; })}, rows));
+  const Table table(
+      csv_text(CsvColumns<double>{{"x", [](const double& v) { return to_text(v); }}}, rows));
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (std::isnan(rows[i]))
       CHECK(table.rows[i].at("x") == "nan");

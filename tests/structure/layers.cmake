@@ -6,7 +6,7 @@ set(layers core material geometry particle contact dynamics stress breakage acce
            simulation experiment output conformance)
 
 get_filename_component(include ${CMAKE_CURRENT_LIST_DIR}/../../include ABSOLUTE)
-file(GLOB_RECURSE headers RELATIVE ${include} ${include}/riprap/*.hpp)
+file(GLOB_RECURSE headers RELATIVE ${include} ${include}/riprap/*.hpp ${include}/riprap/*.ipp)
 list(REMOVE_ITEM headers riprap/riprap.hpp)
 
 set(violations "")

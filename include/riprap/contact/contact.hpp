@@ -37,8 +37,9 @@ struct Contact {
 
   /// Force on b [N]; a gets the opposite.
   [[nodiscard]] Vec2 force_on_b() const {
-    const auto n = geometry.normal.array();  // vectorised
-    return n * force.normal + n.reverse() * Eigen::Array2d(-force.tangential, force.tangential);
+    using namespace internal;
+    const TwoDoubles n = pair_of(geometry.normal);  // vectorised
+    return vec2_of(n * force.normal + swapped(n) * TwoDoubles{-force.tangential, force.tangential});
   }
   /// From the centroid of a to that of b [m].
   [[nodiscard]] Vec2 branch() const { return arm_a - arm_b; }

@@ -3,13 +3,13 @@
 /// @file
 /// Errors that name the value, the rule, and where there is one the particle.
 
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include <riprap/core/ids.hpp>
+#include <riprap/core/linkage.hpp>
 
 namespace riprap {
 
@@ -25,20 +25,13 @@ struct SimulationError : std::runtime_error {
 };
 
 /// Shortest text that reads back as the same number; "nan" whatever its sign.
-[[nodiscard, gnu::cold]] inline std::string to_text(double value) {
-  if (std::isnan(value)) return "nan";
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  return {buffer, end};
-}
+[[nodiscard, gnu::cold]] std::string to_text(double value);
 
 namespace internal {
 
 // Out of line and made small: its text is not composed anew wherever a rule is checked.
-[[noreturn, gnu::cold, gnu::noinline]] inline void
-throw_invalid(std::string_view name, double value, std::string_view rule) {
-  throw InvalidInput(std::string(name) + " = " + to_text(value) + ": " + std::string(rule));
-}
+[[noreturn, gnu::cold]] void throw_invalid(std::string_view name, double value,
+                                           std::string_view rule);
 
 }  // namespace internal
 
@@ -59,8 +52,10 @@ inline void require_non_negative(std::string_view name, double value) {
   require(std::isfinite(value) && value >= 0, name, value, "must be a finite number, 0 or above");
 }
 
-[[nodiscard, gnu::cold]] inline std::string particle_text(ParticleId id) {
-  return "particle " + std::to_string(id);
-}
+[[nodiscard, gnu::cold]] std::string particle_text(ParticleId id);
 
 }  // namespace riprap
+
+#ifndef RIPRAP_COMPILED
+#include <riprap/core/errors.ipp>
+#endif

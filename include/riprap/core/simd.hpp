@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include <riprap/compiler.hpp>
 
@@ -38,6 +39,26 @@ inline constexpr std::size_t native_lanes = 4;
 #else
 inline constexpr std::size_t native_lanes = 2;
 #endif
+
+using DoubleLanes = Simd<double, native_lanes>;
+using TwoDoubles = Simd<double, 2>;
+
+/// From and to memory that need not be aligned.
+template <class V, class T>
+[[nodiscard, gnu::always_inline]] inline V load_lanes(const T* from) {
+  V lanes;
+  std::memcpy(&lanes, from, sizeof lanes);
+  return lanes;
+}
+template <class V, class T>
+[[gnu::always_inline]] inline void store_lanes(T* to, const V& lanes) {
+  std::memcpy(to, &lanes, sizeof lanes);
+}
+
+/// (y, x) of (x, y).
+[[nodiscard, gnu::always_inline]] inline TwoDoubles swapped(const TwoDoubles& two) {
+  return __builtin_shufflevector(two, two, 1, 0);
+}
 
 /// Number of doubles in a number type.
 template <class V>

@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include <riprap/core/conventions.hpp>
+#include <riprap/core/simd.hpp>
 
 namespace riprap {
 
@@ -59,6 +60,20 @@ inline Vec2& operator-=(V& a, const V& b) {
   a.y() -= b.y();
   return a;
 }
+
+namespace internal {
+
+/// Both components as one vector.
+[[nodiscard, gnu::always_inline]] inline TwoDoubles pair_of(const Vec2& v) {
+  return load_lanes<TwoDoubles>(v.data());
+}
+[[nodiscard, gnu::always_inline]] inline Vec2 vec2_of(const TwoDoubles& pair) {
+  Vec2 v;
+  store_lanes(v.data(), pair);
+  return v;
+}
+
+}  // namespace internal
 
 /// Vertices in order, counter-clockwise and open.
 using Ring = std::span<const Vec2>;
@@ -117,11 +132,11 @@ struct Rotation {
     const double c = (1 - h * h) * scale;
     const double s = 2 * h * scale;
     // As pairs: the other way compilers do some of it twice.
-    const Eigen::Array2d now(cosine, sine);
-    const Eigen::Array2d next = now * c + now.reverse() * Eigen::Array2d(-s, s);
+    const TwoDoubles now{cosine, sine};
+    const TwoDoubles next = now * c + swapped(now) * TwoDoubles{-s, s};
     // One Newton step towards unit length keeps round-off from growing over millions of steps.
     const double unit = 1.5 - 0.5 * (next[0] * next[0] + next[1] * next[1]);
-    const Eigen::Array2d length_one = next * unit;
+    const TwoDoubles length_one = next * unit;
     return {length_one[0], length_one[1]};
   }
 };

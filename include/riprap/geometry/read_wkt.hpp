@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <riprap/core/errors.hpp>
+#include <riprap/core/linkage.hpp>
 #include <riprap/geometry/convex_polygon.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
 
@@ -121,3 +122,7 @@ class WktReader {
 }
 
 }  // namespace riprap
+
+#ifndef RIPRAP_COMPILED
+#include <riprap/geometry/read_wkt.ipp>
+#endif

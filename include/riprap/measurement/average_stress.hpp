@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include <riprap/core/errors.hpp>
+#include <riprap/core/linkage.hpp>
 #include <riprap/core/stress2.hpp>
 #include <riprap/core/vec2.hpp>
 
@@ -15,10 +16,7 @@ namespace riprap {
 
 namespace internal {
 
-inline void require_finite_sum(const Stress2& sum) {
-  require_finite("average_stress: sum of contact forces times branch vectors [N m]",
-                 sum.s11 + sum.s22 + sum.s12);
-}
+void require_finite_sum(const Stress2& sum);
 
 }  // namespace internal
 
@@ -46,22 +44,7 @@ struct Ellipse {
   [[nodiscard]] double area() const { return std::numbers::pi * semi_axes.x() * semi_axes.y(); }
 
   /// Share of the segment from p to q that lies inside [-].
-  [[nodiscard]] double share_inside(const Vec2& p, const Vec2& q) const {
-    // In units of the semi-axes: |p + s (q - p)|^2 = 1.
-    const auto scaled = [this](const Vec2& x) -> Vec2 {
-      return {(x.x() - centre.x()) / semi_axes.x(), (x.y() - centre.y()) / semi_axes.y()};
-    };
-    const Vec2 u = scaled(p);
-    const Vec2 d = scaled(q) - u;
-    const double a = d.dot(d);
-    const double b = u.dot(d);
-    const double discriminant = b * b - a * (u.dot(u) - 1);
-    if (a == 0 || discriminant <= 0) return u.dot(u) < 1 && a == 0 ? 1 : 0;
-    const double root = std::sqrt(discriminant);
-    const double enter = std::max(0.0, (-b - root) / a);
-    const double leave = std::min(1.0, (-b + root) / a);
-    return std::max(0.0, leave - enter);
-  }
+  [[nodiscard]] double share_inside(const Vec2& p, const Vec2& q) const;
 };
 
 /// The same average over the material inside an ellipse: each contact counts with the share of its
@@ -83,9 +66,10 @@ template <class Contacts>
 
 /// Eq. 12 for a test that loads axis 2: (sigma_22 - sigma_11) / (sigma_22 + sigma_11); 0 where
 /// there is no stress.
-[[nodiscard]] inline double sin_phi(const Stress2& stress) {
-  const double sum = stress.s22 + stress.s11;
-  return sum == 0 ? 0 : (stress.s22 - stress.s11) / sum;
-}
+[[nodiscard]] double sin_phi(const Stress2& stress);
 
 }  // namespace riprap
+
+#ifndef RIPRAP_COMPILED
+#include <riprap/measurement/average_stress.ipp>
+#endif

@@ -10,6 +10,7 @@
 #include <span>
 
 #include <riprap/core/errors.hpp>
+#include <riprap/core/linkage.hpp>
 #include <riprap/measurement/grading.hpp>
 
 namespace riprap {
@@ -17,36 +18,17 @@ namespace riprap {
 /// Relative breakage B_r = B_t / B_p of Hardin (1985): the area between the two curves over the
 /// area between the first one and `limit`. One when all is as fine as the limit.
 /// @param limit size to which grains could be crushed [m]; finer ones do not count
-[[nodiscard]] inline double hardin_breakage(const Grading& before, const Grading& after,
-                                            double limit = 0.074e-3) {
-  const double potential = before.area_above(limit);
-  require_positive("hardin_breakage: area of the first grading above the limit", potential);
-  return (potential - after.area_above(limit)) / potential;
-}
+[[nodiscard]] double hardin_breakage(const Grading& before, const Grading& after,
+                                     double limit = 0.074e-3);
 
 /// B_g of Marsal (1967), who gives it in per cent: the sum of what the intervals between sieves
 /// have gained, the one below the finest sieve and the one above the coarsest included.
 /// @param sieves openings [m], ascending
-[[nodiscard]] inline double marsal_breakage(const Grading& before, const Grading& after,
-                                            std::span<const double> sieves) {
-  require(!sieves.empty(), "marsal_breakage: number of sieves", 0, "must be 1 or more");
-  double gained = 0;
-  double finer_gain = 0;  // of all that passes the sieve before
-  double last = 0;
-  for (const double sieve : sieves) {
-    require(sieve > last, "marsal_breakage: sieve", sieve, "must be larger than the one before");
-    const double gain = after.passing(sieve) - before.passing(sieve);
-    gained += std::max(gain - finer_gain, 0.0);
-    finer_gain = gain;
-    last = sieve;
-  }
-  return gained + std::max(-finer_gain, 0.0);
-}
+[[nodiscard]] double marsal_breakage(const Grading& before, const Grading& after,
+                                     std::span<const double> sieves);
 
 /// B_10 = 1 - D10 after / D10 before of Lade, Yamamuro and Bopp (1996).
-[[nodiscard]] inline double lade_breakage(const Grading& before, const Grading& after) {
-  return 1 - after.size_at(0.10) / before.size_at(0.10);
-}
+[[nodiscard]] double lade_breakage(const Grading& before, const Grading& after);
 
 /// The fractal grading that crushing tends to: F = (d / d_M)^exponent from d_m up to the largest
 /// grain d_M. In space, where mass goes with d^3, the exponent is 3 - alpha with a fractal
@@ -57,28 +39,17 @@ struct UltimateGrading {
   double smallest_ratio = 1e-4;  ///< d_m / d_M [-]; finer grains count as d_m
 
   /// Area above d_m, over the decimal logarithm of size [-].
-  [[nodiscard]] double area() const {
-    return -std::log10(smallest_ratio) -
-           (1 - std::pow(smallest_ratio, exponent)) / (exponent * std::log(10.0));
-  }
-  void validate() const {
-    require_positive("UltimateGrading.exponent", exponent);
-    require(smallest_ratio > 0 && smallest_ratio < 1, "UltimateGrading.smallest_ratio",
-            smallest_ratio, "must lie in (0, 1)");
-  }
+  [[nodiscard]] double area() const;
+  void validate() const;
 };
 
 /// B_r of Einav (2007): the area between the two curves over the area between the first one and the
 /// ultimate one. One for the ultimate grading.
-[[nodiscard]] inline double einav_breakage(const Grading& before, const Grading& after,
-                                           const UltimateGrading& ultimate = {}) {
-  ultimate.validate();
-  const double finest = ultimate.smallest_ratio * before.largest();
-  const double first = before.area_above(finest);
-  const double potential = first - ultimate.area();
-  require_positive("einav_breakage: area between the first grading and the ultimate one",
-                   potential);
-  return (first - after.area_above(finest)) / potential;
-}
+[[nodiscard]] double einav_breakage(const Grading& before, const Grading& after,
+                                    const UltimateGrading& ultimate = {});
 
 }  // namespace riprap
+
+#ifndef RIPRAP_COMPILED
+#include <riprap/measurement/breakage_indices.ipp>
+#endif

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 
+#include <riprap/core/linkage.hpp>
 #include <riprap/dynamics/body_force/no_body_force.hpp>
 #include <riprap/measurement/energy.hpp>
 #include <riprap/particle/particles.hpp>
@@ -16,28 +17,17 @@ namespace riprap {
 
 /// Inertial number I = rate d sqrt(density / pressure) [-]; quasi-static below about 1e-3, infinite
 /// where there is no pressure.
-[[nodiscard]] inline double inertial_number(double strain_rate, double diameter, double density,
-                                            double pressure) {
-  if (!(pressure > 0)) return std::numeric_limits<double>::infinity();
-  return strain_rate * diameter * std::sqrt(density / pressure);
-}
+[[nodiscard]] double inertial_number(double strain_rate, double diameter, double density,
+                                     double pressure);
 
 /// Stiffness level kappa = pressure * thickness / normal stiffness [-]: about the overlap of
 /// neighbours over their size.
-[[nodiscard]] inline double stiffness_level(double pressure, double thickness,
-                                            double normal_stiffness) {
-  return pressure * thickness / normal_stiffness;
-}
+[[nodiscard]] double stiffness_level(double pressure, double thickness, double normal_stiffness);
 
 /// Time step over sqrt(m / k) of the lightest free body [-], with the mass that it has in the
 /// equations of motion.
-[[nodiscard]] inline double time_step_ratio(double time_step, const Particles& particles,
-                                            double stiffness) {
-  double lightest = std::numeric_limits<double>::infinity();
-  for (const Body& body : particles.bodies())
-    if (body.is_free()) lightest = std::min(lightest, body.mass_scaling * body.mass);
-  return time_step / std::sqrt(lightest / stiffness);
-}
+[[nodiscard]] double time_step_ratio(double time_step, const Particles& particles,
+                                     double stiffness);
 
 /// Means over the contacts and free bodies of one state.
 struct StateAverages {
@@ -85,3 +75,7 @@ template <class Contacts, BodyForce F = NoBodyForce>
 }
 
 }  // namespace riprap
+
+#ifndef RIPRAP_COMPILED
+#include <riprap/measurement/dimensionless.ipp>
+#endif

@@ -3,11 +3,11 @@
 /// @file
 /// The straight line that predicts one measured quantity from another.
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <span>
 
 #include <riprap/core/errors.hpp>
+#include <riprap/core/linkage.hpp>
 #include <riprap/core/vec2.hpp>
 
 namespace riprap {
@@ -20,23 +20,10 @@ struct RegressionLine {
 };
 
 /// Least squares of the distances along y. Throws InvalidInput for fewer than two different x.
-[[nodiscard]] inline RegressionLine regression_line(std::span<const Vec2> points) {
-  const auto count = static_cast<Eigen::Index>(points.size());
-  require(count >= 2, "regression_line: number of points", static_cast<double>(count),
-          "must be 2 or more");
-  Eigen::MatrixX2d terms(count, 2);
-  Eigen::VectorXd y(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Vec2& p = points[static_cast<std::size_t>(i)];
-    terms.row(i) << 1, p.x();
-    y[i] = p.y();
-  }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixX2d> factors(terms);
-  require(factors.rank() == 2, "regression_line: x of all points", points.front().x(),
-          "must not be the same");
-  const Eigen::Vector2d line = factors.solve(y);
-  return {line[0], line[1],
-          std::sqrt((terms * line - y).squaredNorm() / static_cast<double>(count))};
-}
+[[nodiscard]] RegressionLine regression_line(std::span<const Vec2> points);
 
 }  // namespace riprap
+
+#ifndef RIPRAP_COMPILED
+#include <riprap/measurement/regression_line.ipp>
+#endif

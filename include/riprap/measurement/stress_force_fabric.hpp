@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <riprap/core/linkage.hpp>
 #include <riprap/core/stress2.hpp>
 #include <riprap/measurement/fabric.hpp>
 
@@ -15,42 +16,18 @@ namespace riprap {
 /// Eq. 14 (Rothenburg and Bathurst 1989): (a + a_n + a_t) / (2 + a a_n), coefficients projected on
 /// `axis` [rad], the direction of the major stress. Exact for Fourier distributions and branches of
 /// one length along the normal.
-[[nodiscard]] inline double sin_phi_from_fabric(const Fabric& f, double axis) {
-  return (f.normals.along(axis) + f.normal_forces.along(axis) + f.tangential_forces.along(axis)) /
-         (2 + f.normals.coefficient * f.normal_forces.along(f.normals.direction));
-}
+[[nodiscard]] double sin_phi_from_fabric(const Fabric& f, double axis);
 
 /// Eq. 15: the same without the product in the denominator.
-[[nodiscard]] inline double sin_phi_from_fabric_simplified(const Fabric& f, double axis) {
-  return 0.5 *
-         (f.normals.along(axis) + f.normal_forces.along(axis) + f.tangential_forces.along(axis));
-}
+[[nodiscard]] double sin_phi_from_fabric_simplified(const Fabric& f, double axis);
 
 /// The full relation: the stress tensor of the five Fourier distributions together, per contact,
 /// sigma_ij = mean over theta of 2 pi E f_i l_j, symmetric part. Trigonometric polynomials of
 /// degree eight: a sum over 16 directions is exact.
-[[nodiscard]] inline Stress2 stress_from_fabric(const Fabric& f) {
-  constexpr int directions = 16;
-  Stress2 sum;
-  for (int k = 0; k < directions; ++k) {
-    const double theta = 2 * std::numbers::pi * k / directions;
-    const Vec2 n{std::cos(theta), std::sin(theta)};
-    const Vec2 t = perpendicular(n);
-    const double density = 1 + f.normals.along(theta);
-    const auto radial = [theta](double mean, const Anisotropy& c) {
-      return mean * (1 + c.along(theta));
-    };
-    const auto shear = [theta](double mean, const Anisotropy& c) {
-      return -mean * c.coefficient * std::sin(2 * (theta - c.direction));
-    };
-    const Vec2 force = radial(f.mean_normal_force, f.normal_forces) * n +
-                       shear(f.mean_normal_force, f.tangential_forces) * t;
-    const Vec2 branch = radial(f.mean_branch, f.normal_branches) * n +
-                        shear(f.mean_branch, f.tangential_branches) * t;
-    sum += density * Stress2{force.x() * branch.x(), force.y() * branch.y(),
-                             0.5 * (force.x() * branch.y() + force.y() * branch.x())};
-  }
-  return (1.0 / directions) * sum;
-}
+[[nodiscard]] Stress2 stress_from_fabric(const Fabric& f);
 
 }  // namespace riprap
+
+#ifndef RIPRAP_COMPILED
+#include <riprap/measurement/stress_force_fabric.ipp>
+#endif

@@ -3,17 +3,15 @@
 /// @file
 /// Writes text files, whole or line by line, or says which one cannot be written and why.
 
-#include <cerrno>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include <riprap/core/errors.hpp>
+#include <riprap/core/linkage.hpp>
 
 namespace riprap {
 
@@ -24,89 +22,26 @@ struct CloseFile {
 };
 using OpenFile = std::unique_ptr<std::FILE, CloseFile>;
 
-/// Throws SimulationError "cannot write PATH: REASON" with the reason of `error`, an errno.
-[[noreturn, gnu::cold]] inline void throw_cannot_write(const std::string& path, int error) {
-  throw SimulationError("cannot write " + path + ": " + std::generic_category().message(error));
-}
-
-/// 0, or the errno of what failed.
-[[nodiscard]] inline int write_and_flush(std::FILE* file, std::string_view text) {
-  errno = 0;
-  const bool written =
-      std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
-  return written ? 0 : errno != 0 ? errno : EIO;
-}
-
-[[nodiscard]] inline int write_and_close(const std::string& path, std::string_view text) {
-  OpenFile file(std::fopen(path.c_str(), "wb"));
-  if (!file) return errno;
-  const int error = write_and_flush(file.get(), text);
-  // Some file systems report a full disk only here.
-  const bool closed = std::fclose(file.release()) == 0;
-  return closed || error != 0 ? error : errno;
-}
-
 }  // namespace internal
 
 /// Makes a folder and those above it, unless it exists; throws SimulationError if that fails.
-inline void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!error && !std::filesystem::is_directory(folder, error))
-    error = std::make_error_code(std::errc::not_a_directory);
-  if (error)
-    throw SimulationError("cannot make the folder " + folder.string() + ": " + error.message());
-}
+void make_folder(const std::string& folder);
 
 /// Replaces the file at `path` by `text`. The text goes to `path` + ".part" first, which then takes
 /// the place of `path`: a write that fails or is cut short leaves the old file as it was. What is
 /// not a regular file, a device for example, is written to directly.
 /// Throws SimulationError with the path and the system's reason if that fails.
-inline void write_file(const std::string& path, std::string_view text) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  // A link stays a link: its target is replaced.
-  const fs::path linked = fs::canonical(path, error);
-  const fs::path target = error ? fs::path(path) : linked;
-  if (fs::exists(target, error) && !fs::is_regular_file(target, error)) {
-    if (const int failed = internal::write_and_close(path, text))
-      internal::throw_cannot_write(path, failed);
-    return;
-  }
-  const std::string part = target.string() + ".part";
-  int failed = internal::write_and_close(part, text);
-  if (failed == 0) {
-    fs::rename(part, target, error);
-    failed = error.value();
-  }
-  if (failed == 0) return;
-  fs::remove(part, error);
-  internal::throw_cannot_write(path, failed);
-}
+void write_file(const std::string& path, std::string_view text);
 
 /// A file that grows: what was appended is in the file, also if the program is killed afterwards.
 class AppendedFile {
  public:
   /// Replaces a file that is there by an empty one; throws SimulationError if that fails.
-  explicit AppendedFile(std::string path)
-      : path_(std::move(path)), file_(std::fopen(path_.c_str(), "wb")) {
-    if (!file_) internal::throw_cannot_write(path_, errno);
-    std::setvbuf(file_.get(), nullptr, _IONBF, 0);
-  }
+  explicit AppendedFile(std::string path);
 
   /// Throws SimulationError if the text cannot be written as a whole; the file then ends with what
   /// was appended before.
-  void append(std::string_view text) {
-    if (const int failed = internal::write_and_flush(file_.get(), text)) {
-      std::error_code ignored;
-      if (std::filesystem::is_regular_file(path_, ignored)) {
-        std::filesystem::resize_file(path_, static_cast<std::uintmax_t>(size_), ignored);
-        std::fseek(file_.get(), size_, SEEK_SET);
-      }
-      internal::throw_cannot_write(path_, failed);
-    }
-    size_ += static_cast<long>(text.size());
-  }
+  void append(std::string_view text);
 
  private:
   std::string path_;
@@ -115,3 +50,7 @@ class AppendedFile {
 };
 
 }  // namespace riprap
+
+#ifndef RIPRAP_COMPILED
+#include <riprap/output/file.ipp>
+#endif

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <riprap/core/errors.hpp>
+#include <riprap/core/linkage.hpp>
 #include <riprap/geometry/convex_polygon.hpp>
 #include <riprap/particle/body.hpp>
 
@@ -28,24 +29,14 @@ struct Assembly {
   Vec2 centre{0, 0};  ///< of the periodic cell [m]
 
   /// The same particles, and cell, elsewhere.
-  [[nodiscard]] Assembly moved(const Vec2& shift) const {
-    Assembly other = *this;
-    for (PlacedParticle& p : other.particles) p.polygon = p.polygon.moved({}, shift);
-    other.centre += shift;
-    return other;
-  }
+  [[nodiscard]] Assembly moved(const Vec2& shift) const;
 
   /// Throws InvalidInput that names the particle, the value and the rule.
-  void validate() const {
-    require_positive("Assembly.thickness", thickness);
-    require(is_finite(period) && is_finite(centre), "Assembly.period + Assembly.centre",
-            period.x() + period.y() + centre.x() + centre.y(), "must be finite");
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-      const PlacedParticle& p = particles[i];
-      if (!is_finite(p.velocity) || !std::isfinite(p.angular_velocity))
-        throw InvalidInput(particle_text(static_cast<ParticleId>(i)) + ": velocity must be finite");
-    }
-  }
+  void validate() const;
 };
 
 }  // namespace riprap
+
+#ifndef RIPRAP_COMPILED
+#include <riprap/particle/assembly.ipp>
+#endif

@@ -54,8 +54,9 @@ struct Body {
   }
   /// Velocity [m/s] of the material point at `arm` from the centroid.
   [[nodiscard]] Vec2 velocity_at(const Vec2& arm) const {
-    return velocity.array() +
-           arm.array().reverse() * Eigen::Array2d(-angular_velocity, angular_velocity);
+    using namespace internal;
+    return vec2_of(pair_of(velocity) +
+                   swapped(pair_of(arm)) * TwoDoubles{-angular_velocity, angular_velocity});
   }
 };
 

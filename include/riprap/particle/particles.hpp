@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <riprap/core/ids.hpp>
+#include <riprap/core/linkage.hpp>
 #include <riprap/geometry/convex_polygon.hpp>
 #include <riprap/particle/ancestry.hpp>
 #include <riprap/particle/body.hpp>
@@ -51,24 +52,11 @@ class Particles {
   /// Adds a particle at rest in its present place, with a new id.
   /// @param polygon in laboratory coordinates [m]
   /// @param parent  ancestry of the particle it broke from; null for an intact particle
-  BodyIndex add(const ConvexPolygon& polygon, Motion motion, const Ancestry* parent = nullptr) {
-    const auto index = static_cast<BodyIndex>(bodies_.size());
-    const Ancestry copy = parent ? *parent : Ancestry{};  // *parent may lie in ancestries_
-    bodies_.emplace_back();
-    shapes_.emplace_back();
-    ancestries_.emplace_back();
-    place(index, polygon, motion, parent ? &copy : nullptr);
-    return index;
-  }
+  BodyIndex add(const ConvexPolygon& polygon, Motion motion, const Ancestry* parent = nullptr);
 
   /// Puts a new particle, with a new id, where a broken one was stored.
   void replace(BodyIndex index, const ConvexPolygon& polygon, Motion motion,
-               const Ancestry& parent) {
-    const Ancestry copy = parent;
-    dead_vertices_ += shapes_[index].count;
-    place(index, polygon, motion, &copy);
-    if (dead_vertices_ > local_.size() / 2) compact();
-  }
+               const Ancestry& parent);
 
   /// Brings the laboratory vertices of particle i to its pose.
   void update_ring(BodyIndex i) {
@@ -78,56 +66,20 @@ class Particles {
     const std::uint32_t count = shapes_[i].count;
     const Vec2* const local = local_.data() + shapes_[i].first;
     Vec2* const placed = placed_.data() + shapes_[i].first;
-    const Eigen::Array2d turn{-rotation.sine, rotation.sine};
+    using namespace internal;
+    const TwoDoubles turn{-rotation.sine, rotation.sine};
+    const TwoDoubles shift = pair_of(position);
     for (std::uint32_t k = 0; k < count; ++k) {
-      const auto v = local[k].array();
-      placed[k].array() = v * rotation.cosine + v.reverse() * turn + position.array();
+      const TwoDoubles v = pair_of(local[k]);
+      store_lanes(placed[k].data(), v * rotation.cosine + swapped(v) * turn + shift);
     }
   }
 
  private:
-  void place(BodyIndex index, const ConvexPolygon& polygon, Motion motion, const Ancestry* parent) {
-    const AreaProperties properties = area_properties(polygon.ring());
-    Body body;
-    body.position = properties.centroid;
-    body.mass = density_ * thickness_ * properties.area;
-    body.inertia = density_ * thickness_ * properties.polar_moment;
-    body.motion = motion;
-    bodies_[index] = body;
-
-    ParticleShape shape{.area = properties.area,
-                        .first = static_cast<std::uint32_t>(local_.size()),
-                        .count = static_cast<std::uint32_t>(polygon.size())};
-    for (const Vec2& v : polygon) {
-      local_.push_back(v - properties.centroid);
-      placed_.push_back(v);
-      shape.circumradius = std::max(shape.circumradius, local_.back().norm());
-    }
-    shapes_[index] = shape;
-
-    Ancestry& ancestry = ancestries_[index];
-    ancestry = {.id = next_id_++};
-    ancestry.parent = parent ? parent->id : no_particle;
-    ancestry.root = parent ? parent->root : ancestry.id;
-    ancestry.generation = parent ? parent->generation + 1 : 0;
-  }
+  void place(BodyIndex index, const ConvexPolygon& polygon, Motion motion, const Ancestry* parent);
 
   // Squeezes out the vertices of particles that no longer exist.
-  void compact() {
-    std::vector<Vec2> local;
-    std::vector<Vec2> placed;
-    for (ParticleShape& shape : shapes_) {
-      const auto first = static_cast<std::uint32_t>(local.size());
-      for (std::uint32_t k = shape.first; k < shape.first + shape.count; ++k) {
-        local.push_back(local_[k]);
-        placed.push_back(placed_[k]);
-      }
-      shape.first = first;
-    }
-    local_ = std::move(local);
-    placed_ = std::move(placed);
-    dead_vertices_ = 0;
-  }
+  void compact();
 
   double thickness_;
   double density_;
@@ -141,3 +93,7 @@ class Particles {
 };
 
 }  // namespace riprap
+
+#ifndef RIPRAP_COMPILED
+#include <riprap/particle/particles.ipp>
+#endif

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <riprap/core/argsort.hpp>
+#include <riprap/core/linkage.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
 #include <riprap/particle/assembly.hpp>
 
@@ -20,41 +21,19 @@ namespace internal {
 
 /// Index along the Z-order curve through a grid of 2^32 by 2^32 cells (Morton 1966): the bits of
 /// both coordinates interleaved.
-[[nodiscard]] inline std::uint64_t morton_code(std::uint32_t column, std::uint32_t row) {
-  std::uint64_t place = 0;
-  for (unsigned bit = 0; bit < 32; ++bit) {
-    place |= std::uint64_t{(column >> bit) & 1U} << (2 * bit);
-    place |= std::uint64_t{(row >> bit) & 1U} << (2 * bit + 1);
-  }
-  return place;
-}
+[[nodiscard]] std::uint64_t morton_code(std::uint32_t column, std::uint32_t row);
 
 }  // namespace internal
+
+namespace internal {}  // namespace internal
 
 /// Sorts particles along a space-filling curve, so that the bodies of a contact are close in memory
 /// and most contacts have both in one task. Random assemblies are sorted; sort a large one of your
 /// own before the simulation is made.
-inline void sort_by_morton_code(std::span<PlacedParticle> particles) {
-  if (particles.empty()) return;
-  std::vector<Vec2> centres;
-  Vec2 low = area_properties(particles[0].polygon.ring()).centroid;
-  Vec2 high = low;
-  for (const PlacedParticle& p : particles) {
-    centres.push_back(area_properties(p.polygon.ring()).centroid);
-    low = componentwise_min(low, centres.back());
-    high = componentwise_max(high, centres.back());
-  }
-  // Finer than any particle.
-  const double cells = 65536 / std::max({high.x() - low.x(), high.y() - low.y(), 1e-300});
-  std::vector<double> places;  // whole numbers, exact: 34 bits at most
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const Vec2 at = cells * (centres[i] - low);
-    places.push_back(static_cast<double>(internal::morton_code(
-        static_cast<std::uint32_t>(at.x()), static_cast<std::uint32_t>(at.y()))));
-  }
-  std::vector<PlacedParticle> sorted;
-  for (const std::size_t i : argsort(places)) sorted.push_back(std::move(particles[i]));
-  std::move(sorted.begin(), sorted.end(), particles.begin());
-}
+void sort_by_morton_code(std::span<PlacedParticle> particles);
 
 }  // namespace riprap
+
+#ifndef RIPRAP_COMPILED
+#include <riprap/particle/spatial_order.ipp>
+#endif

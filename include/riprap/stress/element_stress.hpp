@@ -4,6 +4,8 @@
 /// The stress in every triangle of one particle.
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
 
 #include <riprap/core/stress2.hpp>
 
@@ -16,7 +18,8 @@ class ElementStress {
   /// All zero, for `elements` triangles; keeps its memory.
   void reset(std::size_t elements) {
     elements_ = static_cast<Eigen::Index>(elements);
-    values_.setZero(3 * elements_);
+    values_.resize(3 * elements_);
+    std::fill_n(values_.data(), values_.size(), 0.0);
   }
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(elements_); }
   [[nodiscard]] Stress2 operator[](std::size_t e) const {

@@ -40,9 +40,10 @@ struct Jagged {
   double tensile_strength() const { return 5e6; }
 };
 
-double radius_at_least(MohrRadiusTable& radii, double centre) {
-  Eigen::ArrayXf found;
-  radii.lower_bound(Eigen::ArrayXf::Constant(1, static_cast<float>(centre)), found);
+double radius_at_least(const MohrRadiusTable& radii, double centre) {
+  const auto single = static_cast<float>(centre);
+  std::vector<float> found;
+  radii.lower_bound(std::span(&single, 1), found);
   return static_cast<double>(found[0]);
 }
 
@@ -68,14 +69,13 @@ void check_radii(const C& criterion, double lowest, double highest) {
 
 ElementStressF32 compact(const std::vector<Stress2>& elements, double error = 0) {
   ElementStressF32 stress;
-  stress.elements = static_cast<Eigen::Index>(elements.size());
+  stress.elements = elements.size();
   stress.stride = (stress.elements + 7) / 8 * 8;
-  stress.values.setZero(3 * stress.stride);
+  stress.values.assign(3 * stress.stride, 0);
   for (std::size_t e = 0; e < elements.size(); ++e) {
-    const auto i = static_cast<Eigen::Index>(e);
-    stress.values[i] = static_cast<float>(elements[e].s11);
-    stress.values[stress.stride + i] = static_cast<float>(elements[e].s22);
-    stress.values[2 * stress.stride + i] = static_cast<float>(elements[e].s12);
+    stress.values[e] = static_cast<float>(elements[e].s11);
+    stress.values[stress.stride + e] = static_cast<float>(elements[e].s22);
+    stress.values[2 * stress.stride + e] = static_cast<float>(elements[e].s12);
   }
   stress.error = error;
   return stress;

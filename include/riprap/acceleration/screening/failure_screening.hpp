@@ -4,16 +4,16 @@
 /// Screening: a lower bound on the change of stress after which a particle can break.
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
+#include <span>
+#include <utility>
 #include <vector>
 
-#include <riprap/breakage/criterion/concepts.hpp>
 #include <riprap/acceleration/screening/influence_operator_f32.hpp>
+#include <riprap/breakage/criterion/concepts.hpp>
+#include <riprap/core/linkage.hpp>
 
 namespace riprap {
 
@@ -36,23 +36,8 @@ class MohrRadiusTable {
   [[nodiscard]] float step() const { return step_; }
 
   /// Lower bounds on the radii at failure of circles about `centres` [Pa], which must be finite.
-  void lower_bound(const Eigen::ArrayXf& centres, Eigen::ArrayXf& radii) {
-    places_ = ((centres - first_) * inverse_step_).max(0.0f).min(last);
-    radii.resize(centres.size());
-    next_.resize(centres.size());
-    const float* const table = radii_.data();
-    const float* const places = places_.data();
-    float* const here = radii.data();
-    float* const next = next_.data();
-    for (Eigen::Index k = 0; k < centres.size(); ++k) {
-      const int i = static_cast<int>(places[k]);
-      here[k] = table[i];
-      next[k] = table[i + 1] - static_cast<float>(i + 1) * step_;
-    }
-    // The larger of the two bounds from the neighbouring entries. Round-off of the position in the
-    // table counts as a shift of the centre.
-    radii = radii.max(next_ + step_ * places_) - 1e-3f * step_;
-  }
+  /// The radii are padded to whole vectors of four.
+  void lower_bound(std::span<const float> centres, std::vector<float>& radii) const;
 
  private:
   static constexpr std::size_t count = 2048;
@@ -110,8 +95,6 @@ class MohrRadiusTable {
   float step_ = 1;
   float inverse_step_ = 1;
   std::vector<float> radii_;
-  Eigen::ArrayXf places_;
-  Eigen::ArrayXf next_;
 };
 
 /// Result of the screening of one evaluation.
@@ -130,61 +113,19 @@ class FailureScreening {
   explicit FailureScreening(MohrRadiusTable radii)
       : radii_(std::move(radii)), inverse_unit_(2 / radii_.step()) {}
 
-  [[nodiscard]] ScreeningResult operator()(const ElementStressF32& stress, std::size_t needed) {
-    ScreeningResult result;
-    if (!(stress.error < 1e30)) return {.possible = static_cast<std::size_t>(stress.elements)};
-    const auto error = static_cast<float>(8 * stress.error);
-    const auto half = 0.5f * (stress.component(0) - stress.component(1));
-    centres_ = 0.5f * (stress.component(0) + stress.component(1));
-    radii_.lower_bound(centres_, distances_);
-    distances_ -= error + (half.square() + stress.component(2).square()).sqrt();
-    distances_ *= inverse_unit_;
-    std::array<std::uint16_t, bins> counts{};
-    const float* const distances = distances_.data();
-    for (Eigen::Index e = 0; e < stress.elements; ++e) {
-      result.possible += !(distances[e] > 0);
-      ++counts[bin(distances[e])];
-    }
-    // Sum of squares of the `needed` least distances, with those in and above the last bin rounded
-    // down to its lower edge.
-    std::size_t below = 0;
-    std::size_t b = 0;
-    while (b < bins && below + counts[b] < needed) below += counts[b++];
-    if (b == bins) {
-      result.stress_margin = std::numeric_limits<double>::infinity();
-      return result;
-    }
-    // Sum over all elements, truncated at the edge, less the surplus elements.
-    const float edge = lower_edge(b);
-    const float all = distances_.max(0.0f).min(edge).square().sum();
-    const auto elements = static_cast<float>(stress.elements);
-    const float too_many = elements - static_cast<float>(needed) + 2e-5f * elements;
-    result.stress_margin =
-        static_cast<double>(std::sqrt(std::max(0.0f, all - too_many * edge * edge))) /
-        static_cast<double>(inverse_unit_);
-    return result;
-  }
+  [[nodiscard]] ScreeningResult operator()(const ElementStressF32& stress, std::size_t needed);
 
  private:
-  // Logarithmic histogram with eight bins per factor of two, from the bits of a number. The first
-  // bin has all distances up to 1, those of possibly failed elements included. Cheaper than
-  // sorting.
-  static constexpr std::size_t bins = 96;
-  static constexpr std::int32_t first_bin = std::bit_cast<std::int32_t>(1.0f) >> 20;
-
-  [[nodiscard]] static std::size_t bin(float distance) {
-    const std::int32_t place = (std::bit_cast<std::int32_t>(distance) >> 20) - first_bin;
-    return static_cast<std::size_t>(std::clamp<std::int32_t>(place, 0, bins - 1));
-  }
-  [[nodiscard]] static float lower_edge(std::size_t bin) {
-    if (bin == 0) return 0;
-    return std::bit_cast<float>((first_bin + static_cast<std::int32_t>(bin)) << 20);
-  }
+  void find_distances(const ElementStressF32& stress);
 
   MohrRadiusTable radii_;
   float inverse_unit_ = 1;
-  Eigen::ArrayXf centres_;
-  Eigen::ArrayXf distances_;
+  std::vector<float> centres_;
+  std::vector<float> distances_;  // of every element from failure, in units of half a step
 };
 
 }  // namespace riprap
+
+#ifndef RIPRAP_COMPILED
+#include <riprap/acceleration/screening/failure_screening.ipp>
+#endif

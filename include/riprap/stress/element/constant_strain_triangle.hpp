@@ -3,6 +3,7 @@
 /// @file
 /// The 3-node triangle with linear displacements: the paper's element.
 
+#include <algorithm>
 #include <array>
 
 #include <riprap/stress/element/concepts.hpp>
@@ -13,7 +14,8 @@ namespace riprap {
 struct ConstantStrainTriangle {
   [[nodiscard]] StrainDisplacement strain_displacement(const std::array<Vec2, 3>& corners) const {
     const double twice_area = cross(corners[1] - corners[0], corners[2] - corners[0]);
-    StrainDisplacement b = StrainDisplacement::Zero();
+    StrainDisplacement b;
+    std::fill_n(b.data(), 18, 0.0);
     for (int i = 0; i < 3; ++i) {
       const Vec2& next = corners[static_cast<std::size_t>((i + 1) % 3)];
       const Vec2& last = corners[static_cast<std::size_t>((i + 2) % 3)];
@@ -29,8 +31,9 @@ struct ConstantStrainTriangle {
 
   [[nodiscard]] Eigen::Matrix3d mass(const std::array<Vec2, 3>& corners) const {
     const double area = 0.5 * cross(corners[1] - corners[0], corners[2] - corners[0]);
-    Eigen::Matrix3d m = Eigen::Matrix3d::Constant(area / 12);
-    m.diagonal().setConstant(area / 6);
+    Eigen::Matrix3d m;
+    std::fill_n(m.data(), 9, area / 12);
+    for (int i = 0; i < 3; ++i) m(i, i) = area / 6;
     return m;
   }
 };

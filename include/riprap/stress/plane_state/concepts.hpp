@@ -4,6 +4,7 @@
 /// The role of the plane state: what the third direction does.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <concepts>
 
 #include <riprap/core/policy.hpp>
@@ -34,6 +35,21 @@ concept PlaneStateStress = requires(const P& plane, const Rock& rock, const Stre
 template <class P>
 concept PlaneState =
     Policy<P> && requirements::PlaneStateElasticity<P> && requirements::PlaneStateStress<P>;
+
+namespace internal {
+
+/// factor * [normal, cross, 0; cross, normal, 0; 0, 0, shear]
+[[nodiscard]] inline Eigen::Matrix3d elasticity_matrix(double factor, double normal, double cross,
+                                                       double shear) {
+  Eigen::Matrix3d d;
+  std::fill_n(d.data(), 9, factor * 0);
+  d(0, 0) = d(1, 1) = factor * normal;
+  d(0, 1) = d(1, 0) = factor * cross;
+  d(2, 2) = factor * shear;
+  return d;
+}
+
+}  // namespace internal
 
 template <class P>
 consteval bool check_plane_state() {

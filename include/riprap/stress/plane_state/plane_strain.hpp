@@ -11,9 +11,8 @@ namespace riprap {
 struct PlaneStrain {
   [[nodiscard]] Eigen::Matrix3d elasticity(const Rock& rock) const {
     const double nu = rock.poisson;
-    Eigen::Matrix3d d;
-    d << 1 - nu, nu, 0, nu, 1 - nu, 0, 0, 0, 0.5 - nu;
-    return rock.young / ((1 + nu) * (1 - 2 * nu)) * d;
+    return internal::elasticity_matrix(rock.young / ((1 + nu) * (1 - 2 * nu)), 1 - nu, nu,
+                                       0.5 - nu);
   }
   [[nodiscard]] double out_of_plane_stress(const Rock& rock, const Stress2& stress) const {
     return rock.poisson * (stress.s11 + stress.s22);

@@ -11,9 +11,7 @@ namespace riprap {
 struct PlaneStress {
   [[nodiscard]] Eigen::Matrix3d elasticity(const Rock& rock) const {
     const double nu = rock.poisson;
-    Eigen::Matrix3d d;
-    d << 1, nu, 0, nu, 1, 0, 0, 0, 0.5 * (1 - nu);
-    return rock.young / (1 - nu * nu) * d;
+    return internal::elasticity_matrix(rock.young / (1 - nu * nu), 1, nu, 0.5 * (1 - nu));
   }
   [[nodiscard]] double out_of_plane_stress(const Rock&, const Stress2&) const { return 0; }
 };

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include <riprap/particle/particles.hpp>
+
+namespace riprap {
+
+RIPRAP_INLINE BodyIndex Particles::add(const ConvexPolygon& polygon, Motion motion,
+                                       const Ancestry* parent) {
+  const auto index = static_cast<BodyIndex>(bodies_.size());
+  const Ancestry copy = parent ? *parent : Ancestry{};  // *parent may lie in ancestries_
+  bodies_.emplace_back();
+  shapes_.emplace_back();
+  ancestries_.emplace_back();
+  place(index, polygon, motion, parent ? &copy : nullptr);
+  return index;
+}
+
+RIPRAP_INLINE void Particles::replace(BodyIndex index, const ConvexPolygon& polygon, Motion motion,
+                                      const Ancestry& parent) {
+  const Ancestry copy = parent;
+  dead_vertices_ += shapes_[index].count;
+  place(index, polygon, motion, &copy);
+  if (dead_vertices_ > local_.size() / 2) compact();
+}
+
+RIPRAP_INLINE void Particles::place(BodyIndex index, const ConvexPolygon& polygon, Motion motion,
+                                    const Ancestry* parent) {
+  const AreaProperties properties = area_properties(polygon.ring());
+  Body body;
+  body.position = properties.centroid;
+  body.mass = density_ * thickness_ * properties.area;
+  body.inertia = density_ * thickness_ * properties.polar_moment;
+  body.motion = motion;
+  bodies_[index] = body;
+
+  ParticleShape shape{.area = properties.area,
+                      .first = static_cast<std::uint32_t>(local_.size()),
+                      .count = static_cast<std::uint32_t>(polygon.size())};
+  for (const Vec2& v : polygon) {
+    local_.push_back(v - properties.centroid);
+    placed_.push_back(v);
+    shape.circumradius = std::max(shape.circumradius, local_.back().norm());
+  }
+  shapes_[index] = shape;
+
+  Ancestry& ancestry = ancestries_[index];
+  ancestry = {.id = next_id_++};
+  ancestry.parent = parent ? parent->id : no_particle;
+  ancestry.root = parent ? parent->root : ancestry.id;
+  ancestry.generation = parent ? parent->generation + 1 : 0;
+}
+
+RIPRAP_INLINE void Particles::compact() {
+  std::vector<Vec2> local;
+  std::vector<Vec2> placed;
+  for (ParticleShape& shape : shapes_) {
+    const auto first = static_cast<std::uint32_t>(local.size());
+    for (std::uint32_t k = shape.first; k < shape.first + shape.count; ++k) {
+      local.push_back(local_[k]);
+      placed.push_back(placed_[k]);
+    }
+    shape.first = first;
+  }
+  local_ = std::move(local);
+  placed_ = std::move(placed);
+  dead_vertices_ = 0;
+}
+
+}  // namespace riprap

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// How random assemblies are placed. Of use to them alone.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <riprap/core/argsort.hpp>
+#include <riprap/core/errors.hpp>
+#include <riprap/core/linkage.hpp>
+#include <riprap/core/random.hpp>
+#include <riprap/geometry/polygon_properties.hpp>
+#include <riprap/particle/random_placement.hpp>
+#include <riprap/particle/spatial_order.hpp>
+
+namespace riprap {
+
+namespace internal {
+
+/// Random polygons that are to be placed.
+struct RandomPolygons {
+  std::vector<ConvexPolygon> polygons;  ///< about their own centroids
+  double area = 0;                      ///< of all [m^2]
+  double farthest = 0;                  ///< vertex from its centroid [m]
+};
+
+/// The mean of the given diameters, or the mean diameter of the options [m].
+[[nodiscard]] double mean_diameter(const RandomAssembly& options);
+
+[[nodiscard]] RandomPolygons random_polygons(const RandomAssembly& options, Random& random);
+
+/// Buckets of placed polygons, so that a new one is tested against its neighbourhood only. A cell
+/// is at least twice as wide as any vertex is far from its centroid: a sharp tip reaches farther
+/// than half the diameter.
+class PlacementGrid {
+ public:
+  explicit PlacementGrid(double cell) : cell_(cell) {}
+
+  [[nodiscard]] bool is_clear(Ring ring, const Vec2& at) const;
+  void insert(const ConvexPolygon& polygon, const Vec2& at);
+
+ private:
+  [[nodiscard]] long index(double x) const { return std::lround(std::floor(x / cell_)); }
+  [[nodiscard]] static std::uint64_t key(long i, long j) {
+    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(i)) << 32) |
+           static_cast<std::uint32_t>(j);
+  }
+  double cell_;
+  std::unordered_map<std::uint64_t, std::vector<const ConvexPolygon*>> buckets_;
+};
+
+/// Random places for all polygons, largest first: the small ones find room between the large ones.
+/// Throws InvalidInput where there is no room.
+/// @param draw_centre() -> a place to try
+/// @param is_clear(grid, polygon, centre) -> is it free? The grid holds all particles but platens
+template <class DrawCentre, class IsClear>
+void place_at_random(const RandomPolygons& made, Assembly& assembly, DrawCentre&& draw_centre,
+                     IsClear&& is_clear) {
+  std::vector<double> smallness;
+  for (const ConvexPolygon& p : made.polygons) smallness.push_back(-area_properties(p.ring()).area);
+  const std::size_t first = assembly.particles.size();
+  // The grid points into the list, which must not move.
+  assembly.particles.reserve(assembly.particles.size() + made.polygons.size());
+  PlacementGrid grid(2 * made.farthest);
+  for (const PlacedParticle& p : assembly.particles)
+    if (p.motion != Motion::platen)
+      grid.insert(p.polygon, area_properties(p.polygon.ring()).centroid);
+
+  constexpr unsigned most_tries = 100000;
+  for (const std::size_t k : argsort(smallness)) {
+    const ConvexPolygon& polygon = made.polygons[k];
+    for (unsigned tries = 0;; ++tries) {
+      if (tries == most_tries)
+        throw InvalidInput("random assembly: no room for particle " +
+                           std::to_string(assembly.particles.size()) + " in " +
+                           std::to_string(most_tries) + " tries; lower solid_fraction");
+      const Vec2 centre = draw_centre();
+      ConvexPolygon candidate = polygon.moved({}, centre);
+      if (!is_clear(grid, candidate, centre)) continue;
+      assembly.particles.push_back({std::move(candidate), Motion::free});
+      grid.insert(assembly.particles.back().polygon, centre);
+      break;
+    }
+  }
+  sort_by_morton_code(std::span(assembly.particles).subspan(first));
+}
+
+}  // namespace internal
+
+}  // namespace riprap
+
+#ifndef RIPRAP_COMPILED
+#include <riprap/particle/placement_grid.ipp>
+#endif
