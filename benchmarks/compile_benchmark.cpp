@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // The processor's time that a compiler takes with -O2: compile/compose for the 25-line program of
-// examples/compose, compile/riprap_hpp for its only include. The compiler is that of the
+// examples/compose, compile/never_fails for the same without breakage, compile/riprap_hpp for its
+// only include; each header-only, and with /compiled for a program that links riprap::compiled. The
+// library itself is not compiled. The compiler is that of the
 // benchmarks; names that end in /clang are of clang 16, where CMake has found it.
 
 #include <benchmark/benchmark.h>
@@ -9,11 +11,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 namespace {
 
 // The macros come from CMake.
 const std::string compose = "cat '" RIPRAP_COMPOSE "'";
+const std::string never_fails =
+    "sed 's/.criterion(.*)$/.criterion(NeverFails{})/' '" RIPRAP_COMPOSE "'";
 const std::string riprap_hpp = "echo '#include <riprap/riprap.hpp>'";
 
 // Processor's time [s] of the commands that have ended.
@@ -27,11 +32,11 @@ double time_of_commands() {
 }
 
 // Compiles what the command `source` writes.
-void compile(benchmark::State& state, const std::string& compiler, const std::string& source) {
+void compile(benchmark::State& state, const std::string& compiler, const std::string& source,
+             const std::string& options) {
   const auto object = std::filesystem::temp_directory_path() / "riprap_compile_benchmark.o";
-  const std::string command = source + " | '" + compiler +
-                              "' -std=c++20 -O2 " RIPRAP_INCLUDES " -x c++ -c - -o '" +
-                              object.string() + "'";
+  const std::string command = source + " | '" + compiler + "' -std=c++20 -O2 " RIPRAP_INCLUDES +
+                              options + " -x c++ -c - -o '" + object.string() + "'";
   for (auto _ : state) {
     const double before = time_of_commands();
     if (std::system(command.c_str()) != 0) state.SkipWithError("does not compile");
@@ -41,14 +46,17 @@ void compile(benchmark::State& state, const std::string& compiler, const std::st
 }
 
 void add(const std::string& name, const std::string& compiler, const std::string& source) {
-  benchmark::RegisterBenchmark(name.c_str(), compile, compiler, source)
-      ->UseManualTime()
-      ->Iterations(1)
-      ->Unit(benchmark::kSecond);
+  for (const auto& [mode, options] :
+       {std::pair{"", ""}, std::pair{"/compiled", " -DRIPRAP_COMPILED"}})
+    benchmark::RegisterBenchmark((name + mode).c_str(), compile, compiler, source, options)
+        ->UseManualTime()
+        ->Iterations(1)
+        ->Unit(benchmark::kSecond);
 }
 
 [[maybe_unused]] const bool added = [] {
   add("compile/compose", RIPRAP_COMPILER, compose);
+  add("compile/never_fails", RIPRAP_COMPILER, never_fails);
   add("compile/riprap_hpp", RIPRAP_COMPILER, riprap_hpp);
 #ifdef RIPRAP_CLANG
   add("compile/compose/clang", RIPRAP_CLANG, compose);
