@@ -7,7 +7,6 @@
 
 #include <riprap/stress/assemble_and_solve.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
-#include <riprap/acceleration/screening/influence_operator_f32.hpp>
 #include <riprap/stress/mesh/fan_mesher.hpp>
 #include <riprap/stress/mesh/uniform_mesher.hpp>
 #include <riprap/stress/plane_state/plane_stress.hpp>
@@ -41,7 +40,6 @@ TEST_CASE("a load off the boundary or not finite is refused by every kernel that
   const ConstantStrainTriangle element;
   const PlaneStress plane;
   const InfluenceOperator op(mesh, element, plane, Rock{}, 0.01, false);
-  const InfluenceOperatorF32 compact(op);
   AssembleAndSolve whole(mesh, element, plane, Rock{}, 0.01,
                          DeterminateSupport::on_opposite_sides(mesh));
   ElementStress stress;
@@ -50,10 +48,6 @@ TEST_CASE("a load off the boundary or not finite is refused by every kernel that
     const std::array loads{load};
     stress.reset(mesh.size());
     CHECK(test::message_of([&] { op.add_stress(load.at, load.force, stress); }) == rule);
-    CHECK(test::message_of([&] {
-            ElementStressF32 out;
-            compact.find_stress(loads, 1, out);
-          }) == rule);
     CHECK(test::message_of([&] { whole.solve_free(loads, stress); }) == rule);
     CHECK(test::message_of([&] {
             whole.solve_pinned(loads, {BoundaryPoint{0, 1, 1}, BoundaryPoint{5, 6, 1}}, stress);

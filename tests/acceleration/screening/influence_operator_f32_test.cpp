@@ -3,6 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <vector>
+
 #include <riprap/stress/element/constant_strain_triangle.hpp>
 #include <riprap/stress/plane_state/plane_stress.hpp>
 #include <support/loaded_particle.hpp>
@@ -119,4 +122,19 @@ TEST_CASE("a unit force that moves changes the stresses by no more than steepnes
     }
   }
   CHECK(tightest >= 0.95);
+}
+
+TEST_CASE("a load off the boundary or not finite is refused") {
+  Random random(93);
+  const Mesh mesh = test::random_mesh(random, 40);
+  const InfluenceOperatorF32 compact(exact_operator(mesh));
+  ElementStressF32 out;
+  const auto find = [&](const BoundaryLoad& load) {
+    const std::vector<BoundaryLoad> loads{load};
+    compact.find_stress(loads, 1, out);
+  };
+  CHECK_NOTHROW(find({{0, 1, 0.5}, {1, 0}}));
+  CHECK_THROWS_AS(find({{9999, 0, 0.5}, {1, 0}}), InvalidInput);
+  CHECK_THROWS_AS(find({{0, 1, 1.5}, {1, 0}}), InvalidInput);
+  CHECK_THROWS_AS(find({{0, 1, 0.5}, {std::nan(""), 0}}), InvalidInput);
 }
