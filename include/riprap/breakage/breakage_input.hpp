@@ -34,6 +34,10 @@ struct BreakageInput {
   }
 };
 
+template <class B, class S, class C, class O, class E>
+BreakageInput(const B&, const S&, const Rock&, double, const Particles&, const C&, O&, const E&)
+    -> BreakageInput<B, S, C, O, E>;
+
 /// Runs `work`; names particle i if its input breaks a rule.
 template <class Work>
 void naming_particle(const Particles& particles, BodyIndex i, Work&& work) {

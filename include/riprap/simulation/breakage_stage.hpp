@@ -33,14 +33,9 @@ struct BreakageStage<ModelType> {
   const BreakagePass::Cracks& find_cracks(const ModelType& model, const Rock& rock,
                                           double mean_area, const Particles& particles,
                                           const Contacts& contacts, OnPhaseEnd&& on_phase_end) {
-    const BreakageInput input{.breakage = model.breakage_model,
-                              .stress = model.stress_model,
-                              .rock = rock,
-                              .mean_area = mean_area,
-                              .particles = particles,
-                              .contacts = contacts,
-                              .operators = operators,
-                              .execution = model.execution_policy};
+    const BreakageInput input{
+        model.breakage_model,  model.stress_model, rock, mean_area, particles, contacts, operators,
+        model.execution_policy};
     const BreakagePass::Cracks& cracks = pass.find(input, screening, on_phase_end);
     for (const auto& [i, crack] : cracks)
       piece_limit.add_break(model.breakage_model.splitter, particles.ancestry(i));

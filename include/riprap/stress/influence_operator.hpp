@@ -52,7 +52,7 @@ class InfluenceOperator {
       std::copy_n(mass.data(), elements[e].mass.size(), elements[e].mass.data());
     }
     const Eigen::Matrix3d elasticity = plane.elasticity(rock);
-    build(elements, elasticity.data(), thickness, with_flexibility);
+    build<void>(elements, elasticity.data(), thickness, with_flexibility);
   }
 
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
@@ -86,12 +86,15 @@ class InfluenceOperator {
   };
   using Elements = std::span<const ElementMatrices>;
 
+  // Templates, so that a program without breakage does not compile the factorisation.
+  template <class Once>
   void build(Elements elements, const double* elasticity, double thickness, bool with_flexibility);
+  template <class Once>
+  [[nodiscard]] std::vector<double> solve(std::vector<double> stiffness,
+                                          const std::vector<double>& mass) const;
   [[nodiscard]] std::vector<double> assemble_stiffness(Elements elements, const double* elasticity,
                                                        double thickness) const;
   [[nodiscard]] std::vector<double> assemble_mass(Elements elements) const;
-  [[nodiscard]] std::vector<double> solve(std::vector<double> stiffness,
-                                          const std::vector<double>& mass) const;
   void find_stress(const std::vector<double>& displacement, Elements elements,
                    const double* elasticity);
 
@@ -104,4 +107,6 @@ class InfluenceOperator {
 
 #ifndef RIPRAP_COMPILED
 #include <riprap/stress/influence_operator.ipp>
+#else
+extern template void riprap::InfluenceOperator::build<void>(Elements, const double*, double, bool);
 #endif

@@ -44,8 +44,8 @@ using Modes = std::array<std::vector<double>, 3>;
 }
 
 // Forces of unit rigid accelerations, over the mass.
-[[nodiscard]] RIPRAP_INLINE Modes inertial_modes(const Modes& rigid,
-                                                 const std::vector<double>& mass) {
+template <class Once>
+[[nodiscard]] Modes inertial_modes(const Modes& rigid, const std::vector<double>& mass) {
   const std::size_t n = rigid[0].size() / 2;
   Modes inertial;
   std::vector<double> acceleration(n);
@@ -105,10 +105,11 @@ RIPRAP_INLINE Vec2 InfluenceOperator::displacement(const BoundaryPoint& of, cons
              (at.weight * block(of.next, at.node) + (1 - at.weight) * block(of.next, at.next));
 }
 
-RIPRAP_INLINE void InfluenceOperator::build(Elements elements, const double* elasticity,
-                                            double thickness, bool with_flexibility) {
+template <class Once>
+void InfluenceOperator::build(Elements elements, const double* elasticity, double thickness,
+                              bool with_flexibility) {
   const std::vector<double> displacement =
-      solve(assemble_stiffness(elements, elasticity, thickness), assemble_mass(elements));
+      solve<Once>(assemble_stiffness(elements, elasticity, thickness), assemble_mass(elements));
   find_stress(displacement, elements, elasticity);
   double sum = 0;
   for (Eigen::Index i = 0; i < stress_.size(); ++i) sum += stress_.data()[i];
@@ -163,14 +164,15 @@ RIPRAP_INLINE std::vector<double> InfluenceOperator::assemble_mass(Elements elem
 }
 
 // Displacements of all nodes for a unit force at each boundary node along each axis.
-RIPRAP_INLINE std::vector<double> InfluenceOperator::solve(std::vector<double> stiffness,
-                                                           const std::vector<double>& mass) const {
+template <class Once>
+std::vector<double> InfluenceOperator::solve(std::vector<double> stiffness,
+                                             const std::vector<double>& mass) const {
   const std::size_t n = mesh_.nodes.size();
   const std::size_t unknowns = 2 * n;
   // Inertia relief: forces less the mass times the rigid acceleration they cause. The density
   // cancels, and about the centroid the rigid modes are orthogonal in mass.
   internal::Modes rigid = internal::rigid_modes(mesh_.nodes);
-  const internal::Modes inertial = internal::inertial_modes(rigid, mass);
+  const internal::Modes inertial = internal::inertial_modes<Once>(rigid, mass);
   const std::size_t loads = 2 * std::size_t{mesh_.boundary_nodes};
   std::vector<double> displacement(unknowns * loads, 0);
   for (std::size_t c = 0; c < loads; ++c) {
@@ -238,3 +240,7 @@ RIPRAP_INLINE void InfluenceOperator::find_stress(const std::vector<double>& dis
 }
 
 }  // namespace riprap
+
+#ifdef RIPRAP_COMPILED
+template void riprap::InfluenceOperator::build<void>(Elements, const double*, double, bool);
+#endif
