@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <riprap/particle/placement_grid.hpp>
 #include <riprap/particle/random_assembly.hpp>
 
 #include <algorithm>

@@ -13,6 +13,13 @@
 
 namespace riprap {
 
+namespace internal {
+
+/// Extent across the direction of `at` [m].
+[[nodiscard]] double tangential_extent(const ConvexPolygon& polygon, const Vec2& at);
+
+}  // namespace internal
+
 namespace internal {}  // namespace internal
 
 /// Places polygons at random without overlap inside a circle about the origin. The first ones of

@@ -13,7 +13,7 @@ namespace riprap {
 namespace internal {
 
 /// Extent of a polygon across the direction from the origin to `at`.
-[[nodiscard]] RIPRAP_INLINE double tangential_extent(const ConvexPolygon& polygon, const Vec2& at) {
+RIPRAP_INLINE double tangential_extent(const ConvexPolygon& polygon, const Vec2& at) {
   const Vec2 tangent = perpendicular(at) / at.norm();
   double low = 0;
   double high = 0;
