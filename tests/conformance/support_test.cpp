@@ -87,3 +87,15 @@ TEST_CASE("a support that turns the particle is found out") {
                      altered([](BoundaryLoad& l) { l.force = perpendicular(l.force); })),
                  "moments in balance stay in balance: sum [N m]");
 }
+
+TEST_CASE("a support that changes loads is not linear") {
+  struct Halves {
+    static constexpr bool needs_flexibility = false;
+    static constexpr bool is_linear() { return true; }
+    void apply_reactions(std::span<BoundaryLoad> loads, const InfluenceOperator&) const {
+      for (BoundaryLoad& load : loads) load.force *= 0.5;
+    }
+  };
+  check_violated(support_violations(Halves{}),
+                 "a linear support leaves the loads as they are: difference [N]");
+}

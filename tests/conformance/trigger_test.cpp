@@ -68,7 +68,7 @@ TEST_CASE("a trigger that breaks sound particles is found out") {
 }
 
 TEST_CASE("a trigger that mends particles or changes its mind is found out") {
-  check_violated(trigger_violations(HalfOnly{}), "one more failed element never mends a particle");
+  check_violated(trigger_violations(HalfOnly{}), "one more failed element never prevents a break");
   check_violated(trigger_violations(EverySecondTime{}), "the same count gives the same answer");
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // acceleration PARTICLES STRAIN PRESSURE...: biaxial tests at each of the pressures [MPa], with the
-// models of acceleration/ and with each of them replaced by its nothing-model, alone and together.
-// Breakages, curves and energies must be the same to the last byte, and some particles must break.
+// models of acceleration/, with each of them replaced by one that does nothing, with operators for
+// a part of the particles, and without acceleration. Breakages, curves and energies must be the
+// same to the last byte, and some particles must break.
 
 #include <cstdio>
 #include <cstdlib>

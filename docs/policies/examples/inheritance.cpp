@@ -9,7 +9,7 @@ struct WithoutSpin {  // pieces keep their share of the momentum and lose their 
   }
 };
 
-struct AtBirth {  // sees the pieces before they have moved
+struct AtBreak {  // sees the pieces before they have moved
   double spin = 1;
   void after_splits(const auto& sim) { spin = sim.particles().body(0).angular_velocity; }
 };
@@ -22,7 +22,7 @@ int main() {
                                        {platen.moved({}, {0, -0.0150}), Motion::prescribed}}};
   Simulation sim{Model{}.inheritance(WithoutSpin{}), pressed, Rock{}};
   sim.set_velocity(0, Vec2{0, 0}, 1.0);
-  AtBirth birth;
-  for (int i = 0; i < 3; ++i) sim.step(birth);
-  return birth.spin == 0 ? 0 : 1;
+  AtBreak at_break;
+  for (int i = 0; i < 3; ++i) sim.step(at_break);
+  return at_break.spin == 0 ? 0 : 1;
 }

@@ -103,8 +103,8 @@ void check_region(B& boundary, Particles& particles, AxiomCheck& check) {
     const std::size_t count = boundary.region(particles).lost();
     return static_cast<double>(count);
   };
-  check.at_least("there is rock in the region", solid, 1e-12 * area);
-  check.at_most("there is no more rock than room in the region", solid, area);
+  check.at_least("the solid area in the region is above 0", solid, 1e-12 * area);
+  check.at_most("the solid area is no more than that of the region", solid, area);
   check.equal("what lies inside is not lost", lost(), 0, 0);
   if constexpr (!StrainsPlane<B>)
     for (Body& body : particles.bodies())

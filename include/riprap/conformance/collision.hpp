@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// A collision with rubbing, as a contact law sees it: what the axioms of the law are checked on.
+/// Normal impact with cyclic tangential displacement: the axioms of a contact law are checked on
+/// it.
 
 #include <cmath>
 #include <numbers>
@@ -38,8 +39,8 @@ inline constexpr int collision_steps = 4000;
           .chord = chord};
 }
 
-/// A collision: in and out again along the normal, while the contact is rubbed to and fro so far
-/// that it slips. Velocities are the differences of places, so that work is known exactly.
+/// Loading and unloading along the normal, with cyclic tangential displacement large enough for
+/// slip. Velocities are the differences of places, so that work is known exactly.
 /// @param duration of the collision [s]
 template <class Visit>
 void visit_collision(const ContactRange& range, bool corner, double duration, Visit&& visit) {

@@ -92,8 +92,8 @@ void check_failure(const E& execution, const std::set<std::size_t>& failing, Axi
 
 }  // namespace internal
 
-/// Which axioms an execution breaks. What several threads may do depends on their luck, so each
-/// question is put several times.
+/// Which axioms an execution breaks. Scheduling of threads varies, so each check is
+/// repeated.
 template <Execution E>
 [[nodiscard]] Violations execution_violations(const E& execution) {
   AxiomCheck check;

@@ -26,7 +26,8 @@ namespace internal {
 struct PolygonPair {
   ConvexPolygon a;
   ConvexPolygon b;
-  double overlap = 0;  ///< least translation that parts them [m]; negative: they keep apart
+  double overlap =
+      0;  ///< minimum translation that separates them [m]; negative: they are separated
 };
 
 /// Random polygons of a diameter of about `size` [m], one beside or upon the other. Pairs that
@@ -46,7 +47,7 @@ struct PolygonPair {
   return pairs;
 }
 
-/// The answer to a pair that has not met before.
+/// The contact of a pair with an empty cache.
 template <NarrowPhase N>
 [[nodiscard]] std::optional<ContactGeometry> meet(const N& narrow, const ConvexPolygon& a,
                                                   const ConvexPolygon& b) {

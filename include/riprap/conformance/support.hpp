@@ -88,6 +88,10 @@ template <Support S>
         check.equal("three times the loads have three times the reactions",
                     (tripled[k].force - 3 * balanced[k].force).norm(), 0, 1e-8);
         check.equal("without loads there are no reactions", none[k].force.norm(), 0, 0);
+        if constexpr (LinearSupport<S>)
+          if (support.is_linear())
+            check.equal("a linear support leaves the loads as they are: difference [N]",
+                        (balanced[k].force - loads[k].force).norm(), 0, 0);
       }
     }
   return std::move(check).violations();

@@ -27,7 +27,7 @@ template <BreakageTrigger T>
       const bool breaks = trigger(failures);
       check.at("failed elements", static_cast<double>(failed));
       check.holds("a particle without failed elements stays whole", failed > 0 || !breaks);
-      check.holds("one more failed element never mends a particle", breaks || !broken);
+      check.holds("one more failed element never prevents a break", breaks || !broken);
       check.holds("the same count gives the same answer", trigger(failures) == breaks);
       if constexpr (requires { trigger.failed_elements_needed(elements); })
         check.holds("a particle with fewer failed elements than are needed stays whole",

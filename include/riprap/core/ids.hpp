@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Names for things that are counted.
+/// Index and identifier types.
 
 #include <cstdint>
 
@@ -9,10 +9,10 @@
 
 namespace riprap {
 
-/// Place of a body in the storage. Changes owner when a particle breaks.
+/// Storage index of a body; reused by the left piece when a particle breaks.
 using BodyIndex = std::uint32_t;
 
-/// A particle's name for life; never used again. Pieces get ids of their own.
+/// Permanent identifier of a particle; never reused. Pieces get ids of their own.
 using ParticleId = std::uint32_t;
 
 inline constexpr ParticleId no_particle = 0xFFFFFFFFu;

@@ -24,7 +24,7 @@ concept PolicyValidate =
 
 }  // namespace requirements
 
-/// The part of every role that has nothing to do with the role.
+/// Requirements common to all policies.
 template <class P>
 concept Policy = requirements::PolicyCopy<P> && requirements::PolicyValidate<P>;
 

@@ -87,7 +87,7 @@ class BiaxialRun {
     }
   }
 
-  // Throws SimulationError where the sample is one no more.
+  // Throws SimulationError if energies are not finite or the sample has dispersed.
   void check_sample() const {
     const double energy = kinetic_energy(sim_.particles()) + stored_energy(sim_.contacts());
     if (!std::isfinite(energy))

@@ -26,14 +26,14 @@ struct Limits {
   double kinetic_ratio = 0.02;     ///< kinetic over stored energy, after 1 % strain
   double unbalanced_force = 0.15;  ///< mean resultant over mean contact force, after 1 % strain
   double time_step_ratio = 0.25;   ///< dt over sqrt(m / k) of the lightest body
-  double least_stiffness_level = 1e-6;  ///< kappa; below: no end in sight, or a slip of units
+  double least_stiffness_level = 1e-6;  ///< kappa; below: the run takes too long, or wrong units
   /// Confining pressure over the criterion's uniaxial compressive strength; above: all particles
-  /// fail at once, or a slip of units.
+  /// fail at once, or wrong units.
   double pressure_over_strength = 0.5;
-  double smallest_diameter = 1e-5;  ///< mean diameter [m]; below: a slip of units
-  double largest_diameter = 2;      ///< [m]; above: a slip of units
+  double smallest_diameter = 1e-5;  ///< mean diameter [m]; below: wrong units
+  double largest_diameter = 2;      ///< [m]; above: wrong units
   double thickness_ratio = 10;      ///< thickness over mean diameter, or one over it
-  double porosity = 0;              ///< below: more rock than room
+  double porosity = 0;              ///< below: the solid area exceeds the region
   double confinement_error = 0.05;  ///< of the mean lateral stress in shear
   double saturated_share = 0.05;    ///< steps of shear with the servo's rate at its limit
   double energy_made = 0.05;        ///< by contact law and splitting, over the work put in

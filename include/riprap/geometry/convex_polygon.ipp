@@ -59,7 +59,7 @@ RIPRAP_INLINE void ConvexPolygon::check_convex() const {
   if (std::all_of(begin(), end(), [this](const Vec2& v) { return v == vertices_[0]; }))
     throw InvalidInput("polygon has no extent: all vertices coincide");
   if (extent < 1e-70 || extent > 1e70) throw_out_of_range(extent);
-  // All edges first: beside an edge without length, its own ends would be blamed for a corner.
+  // Edge lengths first: an edge of zero length would be reported as a non-convex corner.
   for (std::size_t i = 0; i < size(); ++i) {
     const std::size_t next = (i + 1) % size();
     if ((vertices_[next] - vertices_[i]).norm() <= tolerance) throw_coinciding(i, next);

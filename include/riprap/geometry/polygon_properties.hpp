@@ -35,7 +35,7 @@ struct AreaProperties {
 /// Largest distance between two vertices [m].
 [[nodiscard]] double diameter(Ring ring);
 
-/// Length of the ring's shadow on an axis, a unit vector [m].
+/// Length of the ring's projection on an axis, a unit vector [m].
 [[nodiscard]] double extent_along(Ring ring, const Vec2& axis);
 
 /// Smallest distance between two parallel lines that hold a convex ring between them [m].

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Do two convex rings keep apart, and if not, what is the least translation that parts them?
+/// Separating edge and minimum translation of two convex rings.
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +14,11 @@
 
 namespace riprap {
 
-/// An edge of one of two rings that parts them, remembered from step to step.
+/// An edge of one of two rings that separates them, cached from step to step.
 struct SeparatingEdge {
   bool of_b = false;
   std::uint8_t edge = 0;
-  double gap = 0;  ///< the rings were at least so far apart when the edge last parted them [m]
+  double gap = 0;  ///< the rings were at least so far apart when the edge last separated them [m]
 };
 
 /// How far all of `other` lies outside edge `i` of `ring` [m]; not positive if it does not.
@@ -37,8 +37,8 @@ struct SeparatingEdge {
   return true;
 }
 
-/// Looks for an edge of a or b that parts the two convex rings, and remembers it. True if there is
-/// one.
+/// Searches for an edge of a or b that separates the two convex rings, and caches it. True if
+/// there is one.
 [[nodiscard]] inline bool find_separating_edge(Ring a, Ring b, SeparatingEdge& cache) {
   const auto search = [&cache](Ring ring, Ring other, bool of_b) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -51,8 +51,8 @@ struct SeparatingEdge {
   return search(a, b, false) || search(b, a, true);
 }
 
-/// True if an edge of a or b parts the two convex rings; `cache` holds the edge that did so last
-/// and is tried first.
+/// True if an edge of a or b separates the two convex rings; `cache` holds the edge that did so
+/// last and is tried first.
 [[nodiscard]] inline bool separated(Ring a, Ring b, SeparatingEdge& cache) {
   const Ring ring = cache.of_b ? b : a;
   const Ring other = cache.of_b ? a : b;
@@ -63,10 +63,10 @@ struct SeparatingEdge {
   return find_separating_edge(a, b, cache);
 }
 
-/// The direction in which two overlapping rings are least entangled.
+/// Minimum translation that separates two overlapping rings.
 struct MinimumTranslation {
   double depth = 0;   ///< [m]; negative: the rings are that far apart along `normal`
-  Vec2 normal{1, 0};  ///< unit vector from a to b: shifting b by depth * normal parts them
+  Vec2 normal{1, 0};  ///< unit vector from a to b: shifting b by depth * normal separates them
 };
 
 /// Separating-axis search over the edge normals of two convex rings; exact for overlapping ones.

@@ -25,8 +25,8 @@ struct EnergyTerms {
   double breakage = 0;         ///< kinetic and stored energy that vanished when particles split
   double law_residual = 0;     ///< work of the contacts that the law's own energy does not explain
 
-  /// Energy that comes from nowhere: what the contact law gives without its stored energy's account
-  /// for it, and what splitting adds.
+  /// Spurious energy: work of the contact law that its stored energy does not explain, and what
+  /// splitting adds.
   [[nodiscard]] double made() const {
     return std::max(0.0, -law_residual) + std::max(0.0, -breakage);
   }

@@ -7,11 +7,11 @@
 
 namespace riprap {
 
-/// Name and descent of a particle.
+/// Identifier and fragmentation history of a particle.
 struct Ancestry {
   ParticleId id = no_particle;
   ParticleId parent = no_particle;  ///< the particle whose break made this one
-  ParticleId root = no_particle;    ///< the intact particle at the head of the line
+  ParticleId root = no_particle;    ///< the original intact particle
   unsigned generation = 0;          ///< breaks between the root and this one
 };
 

@@ -15,7 +15,7 @@
 
 namespace riprap {
 
-/// What does not change while a particle lives.
+/// Constant properties of a particle.
 struct ParticleShape {
   double area = 0;          ///< [m^2]
   double circumradius = 0;  ///< farthest vertex from the centroid [m]
@@ -60,7 +60,7 @@ class Particles {
 
   /// Brings the laboratory vertices of particle i to its pose.
   void update_ring(BodyIndex i) {
-    // Copies, so that the compiler need not fear that the loop writes into them.
+    // Local copies exclude aliasing with the vertices.
     const Rotation rotation = bodies_[i].rotation;
     const Vec2 position = bodies_[i].position;
     const std::uint32_t count = shapes_[i].count;
@@ -78,7 +78,7 @@ class Particles {
  private:
   void place(BodyIndex index, const ConvexPolygon& polygon, Motion motion, const Ancestry* parent);
 
-  // Squeezes out the vertices of particles that no longer exist.
+  // Removes the vertices of particles that no longer exist.
   void compact();
 
   double thickness_;

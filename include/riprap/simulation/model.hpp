@@ -97,21 +97,21 @@ struct Model {
       return StressModel{std::move(policy), m.element, m.plane_state, m.support};
     });
   }
-  /// What a triangle is.
+  /// The finite element of a triangle.
   template <class P>
   [[nodiscard]] auto element(P policy) const {
     return with_stress<check_element<P>()>([&](const auto& m) {
       return StressModel{m.mesher, std::move(policy), m.plane_state, m.support};
     });
   }
-  /// What the third direction does.
+  /// Plane stress or plane strain.
   template <class P>
   [[nodiscard]] auto plane_state(P policy) const {
     return with_stress<check_plane_state<P>()>([&](const auto& m) {
       return StressModel{m.mesher, m.element, std::move(policy), m.support};
     });
   }
-  /// What takes the rigid modes away.
+  /// How a particle is supported in its finite-element model.
   template <class P>
   [[nodiscard]] auto support(P policy) const {
     return with_stress<check_support<P>()>([&](const auto& m) {
@@ -151,7 +151,7 @@ struct Model {
                            std::move(policy), m.inheritance, m.check_every};
     });
   }
-  /// How pieces move at birth.
+  /// Initial velocities of pieces.
   template <class P>
   [[nodiscard]] auto inheritance(P policy) const {
     return with_breakage<check_inheritance<P>()>([&](const auto& m) {

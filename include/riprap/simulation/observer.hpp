@@ -127,7 +127,7 @@ inline constexpr auto on_break = []<class O, class Sim>(O& observer, const Sim& 
                   requires(Sim& other) { observer.on_break(other, event); }>();
 };
 
-/// Pieces have met their neighbours.
+/// Contacts of the pieces are evaluated.
 inline constexpr auto after_splits = []<class O, class Sim>(O& observer, const Sim& sim) {
   if constexpr (requires { observer.after_splits(sim); })
     observer.after_splits(sim);

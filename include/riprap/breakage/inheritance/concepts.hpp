@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// The role of inheritance: the motion of a piece at birth.
+/// The role of inheritance: the initial velocity of a piece.
 
 #include <concepts>
 

@@ -7,7 +7,7 @@
 
 namespace riprap {
 
-/// Brittle to the last: strength is that of the most loaded element, and so depends on the mesh.
+/// Weakest-element rule: strength is that of the most loaded element, and so depends on the mesh.
 struct AnyElement {
   [[nodiscard]] bool operator()(const FailureCount& failures) const { return failures.failed > 0; }
   [[nodiscard]] std::size_t failed_elements_needed(std::size_t /*elements*/) const { return 1; }

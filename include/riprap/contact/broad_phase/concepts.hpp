@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// The role of the broad phase: which pairs of bodies are worth a closer look.
+/// The role of the broad phase: candidate pairs for contact detection.
 
 #include <concepts>
 #include <span>
@@ -47,7 +47,7 @@ concept BroadPhaseVisit = requires(const B& broad, const std::span<const Box> bo
 };
 
 /// Optional: a type `B::Workspace` with `broad.visit_pairs(boxes, workspace, visit)`, which is then
-/// called instead: memory that is kept from search to search and means nothing. Without that call
+/// called instead: scratch memory without effect on the result. Without that call
 /// the type would be ignored silently.
 template <class B>
 concept BroadPhaseWorkspace = !requires {

@@ -9,9 +9,9 @@
 
 namespace riprap {
 
-/// Visits nothing: bodies fly freely, and contacts cost nothing.
+/// Visits nothing: no contacts are searched.
 struct NoPairs {
-  static constexpr double relative_skin = 1;  ///< never has to be rebuilt [-]
+  static constexpr double relative_skin = 1;  ///< rebuilds are rare [-]
 
   template <class Visit>
   void visit_pairs(std::span<const Box>, Visit&&) const {}

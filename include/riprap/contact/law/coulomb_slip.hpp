@@ -24,7 +24,7 @@ struct CoulombSlip {
                                               double time_step, double cap) {
   const double trial = before - stiffness * velocity * time_step;
   CoulombSlip result{.force = std::clamp(trial, -cap, cap)};
-  // Most contacts stick: they need not wait for a quotient.
+  // Most contacts stick: they avoid the division.
   if (stiffness > 0 && std::abs(trial) > cap)
     result.friction_loss =
         std::abs(0.5 * (before + result.force) * (trial - result.force)) / stiffness;

@@ -21,9 +21,9 @@ namespace requirements {
 template <class N>
 concept NarrowPhaseCache = requires { typename N::Cache; } && std::semiregular<typename N::Cache>;
 
-/// `narrow(a, b, cache)` -> the contact, or nothing where the rings keep apart. Swapping the rings
-/// flips the normal and changes nothing else; moving both rigidly moves the contact. Const: what is
-/// cached belongs to the pair.
+/// `narrow(a, b, cache)` -> the contact, or nothing where the rings are separated. Swapping the
+/// rings flips the normal and changes nothing else; moving both rigidly moves the contact. Const:
+/// what is cached belongs to the pair.
 template <class N>
 concept NarrowPhaseCall =
     requires(const N& narrow, const Ring a, const Ring b, typename N::Cache& cache) {
@@ -31,8 +31,8 @@ concept NarrowPhaseCall =
     };
 
 /// Optional: `narrow.clearance(cache)` [m]: lower bound on the distance of the rings when the last
-/// call found no contact. The pair is skipped until the bodies can have moved that far. A non-const
-/// function would be ignored silently.
+/// call found no contact. The pair is skipped until each of the bodies can have moved by half of
+/// it. A non-const function would be ignored silently.
 template <class N>
 concept NarrowPhaseClearance = !requires(N& narrow, typename N::Cache& cache) {
   narrow.clearance(cache);

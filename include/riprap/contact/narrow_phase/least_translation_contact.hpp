@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// The contact of two rings by the least translation that parts them.
+/// The contact of two rings by the minimum translation that separates them.
 
 #include <algorithm>
 

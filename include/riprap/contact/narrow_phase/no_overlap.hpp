@@ -7,7 +7,7 @@
 
 namespace riprap {
 
-/// Finds no contact and remembers nothing.
+/// Never reports a contact; empty cache.
 struct NoOverlap {
   struct Cache {};
 

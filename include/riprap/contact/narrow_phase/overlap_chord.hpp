@@ -139,8 +139,8 @@ struct OverlapChord {
                            .chord = chord};
   }
 
-  // General case: clips the rings, in an order of their own, and classifies the overlap for the
-  // next call.
+  // General case: clips the rings, in an order independent of that of the arguments, and classifies
+  // the overlap for the next call.
   [[nodiscard]] static std::optional<ContactGeometry> by_clipping(Ring a, Ring b, Cache& cache) {
     if (!internal::comes_first(b, a)) return by_clipping_in_order(a, b, cache);
     std::optional<ContactGeometry> contact = by_clipping_in_order(b, a, cache);

@@ -20,10 +20,10 @@ template <class N>
 concept NeighbourListSkin = requires { typename std::bool_constant<bool{N::uses_skin}>; };
 
 /// `N::State<Domain>`: what a simulation keeps of its list. `state.record_motion(particles, task,
-/// first, last)` is called for the bodies of a task after they have moved; `state.is_stale(particles,
-/// domain, execution)` at the new poses, and true once pairs may be missing; then
-/// `state.rebuilt(particles, domain, extent)` with the extent of the new search. `state.invalidate()`
-/// makes the next `is_stale` true.
+/// first, last)` is called for the bodies of a task after they have moved;
+/// `state.is_stale(particles, domain, execution)` at the new poses, and true once pairs may be
+/// missing; then `state.rebuilt(particles, domain, extent)` with the extent of the new search.
+/// `state.invalidate()` makes the next `is_stale` true.
 template <class N, class Domain>
 concept NeighbourListRebuild =
     requires { typename N::template State<Domain>; } &&
@@ -35,9 +35,9 @@ concept NeighbourListRebuild =
       state.invalidate();
     };
 
-/// `state.displacement()` [m]: a number that grows at least as fast as the distance by which any two
-/// bodies of a pair can have approached each other; `state.contact_threshold(gap)`: its value below
-/// which two bodies that are `gap` apart now cannot touch. Pairs are skipped below.
+/// `state.displacement()` [m]: grows by at least half of the distance by which any two bodies of a
+/// pair can have approached each other; `state.contact_threshold(gap)`: its value below which two
+/// bodies that are `gap` apart now cannot touch. Pairs are skipped below.
 template <class N, class Domain>
 concept NeighbourListBound = requires(const typename N::template State<Domain>& state, double gap) {
   { state.displacement() } -> std::convertible_to<double>;
@@ -48,10 +48,9 @@ concept NeighbourListBound = requires(const typename N::template State<Domain>& 
 
 /// A `NeighbourList` decides when neighbours are searched anew. It changes no result.
 template <class N>
-concept NeighbourList =
-    Policy<N> && requirements::NeighbourListSkin<N> &&
-    requirements::NeighbourListRebuild<N, UnboundedDomain> &&
-    requirements::NeighbourListBound<N, UnboundedDomain>;
+concept NeighbourList = Policy<N> && requirements::NeighbourListSkin<N> &&
+                        requirements::NeighbourListRebuild<N, UnboundedDomain> &&
+                        requirements::NeighbourListBound<N, UnboundedDomain>;
 
 template <class N>
 consteval bool check_neighbour_list() {

@@ -12,7 +12,7 @@ namespace riprap {
 
 namespace requirements {
 
-/// Stands for the work of a step.
+/// Archetype of the work of a step.
 struct ExecutedWork {
   void operator()(std::size_t) const {}
 };
@@ -26,9 +26,8 @@ concept ExecutionRun =
 
 }  // namespace requirements
 
-/// An `Execution` runs tasks that do not touch each other's results. What they are does not depend
-/// on it, nor does the order in which their sums are added up: results are the same to the last
-/// bit for every model.
+/// An `Execution` runs independent tasks. The partition into tasks and the order in which sums are
+/// reduced do not depend on it: results are bitwise identical for every model.
 template <class E>
 concept Execution = Policy<E> && requirements::ExecutionRun<E>;
 
@@ -41,15 +40,16 @@ consteval bool check_execution() {
   return Execution<E>;
 }
 
-/// Bodies that one task sees to: few enough to share out, enough for a task to be worth while.
+/// Number of bodies of a task (chunk size): small enough to balance the load, large enough to
+/// outweigh the overhead of a task.
 inline constexpr std::size_t task_size = 256;
 
-/// How many tasks `count` bodies make.
+/// Number of tasks for `count` bodies.
 [[nodiscard]] constexpr std::size_t task_count(std::size_t count) {
   return (count + task_size - 1) / task_size;
 }
 
-/// The one that sees to a body.
+/// Index of the task that processes a body.
 [[nodiscard]] constexpr std::size_t task_of(std::size_t body) { return body / task_size; }
 
 /// Calls `work(task, first, last)` for every task of `count` bodies.

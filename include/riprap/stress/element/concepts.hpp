@@ -18,7 +18,7 @@ using StrainDisplacement = Eigen::Matrix<double, 3, 6>;
 namespace requirements {
 
 /// `element.strain_displacement(corners)` -> StrainDisplacement [1/m], corners counter-clockwise.
-/// That type and no other: an expression of Eigen would refer to what is gone.
+/// That type and no other: an expression of Eigen would hold dangling references.
 template <class E>
 concept ElementStrain = requires(const E& element, const std::array<Vec2, 3>& corners) {
   { element.strain_displacement(corners) } -> std::same_as<StrainDisplacement>;

@@ -14,9 +14,9 @@ namespace riprap {
 
 namespace internal {
 
-// Boost.Polygon works on integers. All points are drawn towards the centroid by a hair that grows
-// with their distance from it, which bends the edges outwards: the hull is strictly convex, and
-// no triangle lies flat on an edge or across a corner that is nearly straight.
+// Boost.Polygon works on integers. All points are displaced slightly towards the centroid, by an
+// amount that grows with their distance from it, which bends the edges outwards: the hull is
+// strictly convex, and no triangle lies flat on an edge or across a corner that is nearly straight.
 RIPRAP_INLINE void insert_points(Ring ring, const Mesh& mesh, PointVoronoiBuilder& builder) {
   const double size = diameter(ring);
   for (const Vec2& x : mesh.nodes) {

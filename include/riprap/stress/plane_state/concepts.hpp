@@ -16,7 +16,7 @@ namespace riprap {
 namespace requirements {
 
 /// `plane.elasticity(rock)` -> 3x3 matrix [Pa] from strain (e11, e22, 2 e12) to stress. That type
-/// and no other: an expression of Eigen would refer to what is gone.
+/// and no other: an expression of Eigen would hold dangling references.
 template <class P>
 concept PlaneStateElasticity = requires(const P& plane, const Rock& rock) {
   { plane.elasticity(rock) } -> std::same_as<Eigen::Matrix3d>;

@@ -26,7 +26,7 @@ concept SupportFlexibility = requires {
 /// `support.apply_reactions(loads, op)` changes forces in place: supports become reactions. Const,
 /// for one support serves all particles.
 template <class S>
-concept SupportSettle =
+concept SupportReactions =
     requires(const S& support, const std::span<BoundaryLoad> loads, const InfluenceOperator& op) {
       support.apply_reactions(loads, op);
     };
@@ -45,7 +45,7 @@ concept SupportLinear =
 /// A `Support` turns the contact loads of one particle into the loads that stress it.
 template <class S>
 concept Support = Policy<S> && requirements::SupportFlexibility<S> &&
-                  requirements::SupportSettle<S> && requirements::SupportLinear<S>;
+                  requirements::SupportReactions<S> && requirements::SupportLinear<S>;
 
 /// A support that can be linear; `is_linear()` says whether it is. Particles can be screened under
 /// a linear one.
@@ -57,7 +57,7 @@ consteval bool check_support() {
   check_policy<S>();
   static_assert(requirements::SupportFlexibility<S>,
                 "riprap: a Support must have static constexpr bool needs_flexibility");
-  static_assert(requirements::SupportSettle<S>,
+  static_assert(requirements::SupportReactions<S>,
                 "riprap: a Support must have void apply_reactions(std::span<BoundaryLoad>, const "
                 "InfluenceOperator&) const");
   static_assert(requirements::SupportLinear<S>,

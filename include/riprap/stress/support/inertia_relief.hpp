@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// The particle flies free, its inertia balances what the contacts leave over: the default.
+/// Unsupported particle: inertia forces balance the resultant of the contacts (inertia relief). The
+/// default.
 
 #include <riprap/stress/support/concepts.hpp>
 

@@ -13,8 +13,9 @@ namespace riprap {
 
 /// Pins two contact points in both directions, one constraint more than needed: the force along the
 /// line that joins them follows from the distance between them being kept. The choice of the two
-/// changes the stress field by tens of per cent, and a particle with exactly two contacts feels no
-/// load at all and can never break; with fewer than two it cannot be held and is left unstressed.
+/// changes the stress field by tens of per cent, and a particle with exactly two contacts is
+/// stress-free, for both forces are replaced by reactions, and never breaks; with fewer than two it
+/// cannot be held and is left unstressed.
 struct TwoPinnedContacts {
   /// Which two.
   enum class Choice { largest_normal_forces, farthest_apart };
