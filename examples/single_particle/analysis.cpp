@@ -43,7 +43,8 @@ void check_stress(const Analysis& a) {
   constexpr double largest_stress = 1e100;  // [Pa]
   double largest_force = 0;
   for (const BoundaryLoad& load : a.loads)
-    largest_force = std::max({largest_force, std::abs(load.force.x()), std::abs(load.force.y())});
+    largest_force =
+        std::max({largest_force, std::abs(load.force_body.x()), std::abs(load.force_body.y())});
   for (std::size_t e = 0; e < a.mesh.size(); ++e)
     for (const double value : {a.stress[e].s11, a.stress[e].s22, a.stress[e].s12})
       require(std::abs(value) <= largest_stress, "largest component of a --force", largest_force,
@@ -67,7 +68,7 @@ void solve(Analysis& a, const S& support) {
   a.balanced = a.loads;
   support.apply_reactions(std::span<BoundaryLoad>(a.balanced), op);
   a.stress.reset(a.mesh.size());
-  for (const BoundaryLoad& load : a.balanced) op.add_stress(load.at, load.force, a.stress);
+  for (const BoundaryLoad& load : a.balanced) op.add_stress(load.at, load.force_body, a.stress);
 }
 
 std::string with_digits(const char* format, double value) {
@@ -134,8 +135,8 @@ void find_lines_and_pieces(Analysis& a) {
 Wrench Analysis::unbalanced() const {
   Wrench sum;
   for (const BoundaryLoad& load : loads) {
-    sum.force += load.force;
-    sum.moment += cross(mesh.position(load.at), load.force);
+    sum.force += load.force_body;
+    sum.moment += cross(mesh.position(load.at), load.force_body);
   }
   return sum;
 }

@@ -65,7 +65,7 @@ struct Analysis {
     return body.position + body.rotation * place;
   }
   [[nodiscard]] bool is_pin(std::size_t i) const {
-    return given.pinned && loads[i].force != balanced[i].force;
+    return given.pinned && loads[i].force_body != balanced[i].force_body;
   }
   [[nodiscard]] const std::optional<riprap::Line>& line() const { return x_chosen ? by_x : by_y; }
   [[nodiscard]] const riprap::ElementFailure& first_failed() const {

@@ -130,10 +130,10 @@ struct Arrow {
 // Pushing arrows end on the boundary, pulling ones start there: all lie outside.
 void draw_force(const Panel& panel, const Analysis& a, const BoundaryLoad& load,
                 const Arrow& arrow) {
-  const double size = load.force.norm();
+  const double size = load.force_body.norm();
   if (!(size > 0)) return;
   const Vec2 edge = a.body.rotation * Vec2(a.mesh.nodes[load.at.next] - a.mesh.nodes[load.at.node]);
-  const Vec2 force = a.body.rotation * load.force;
+  const Vec2 force = a.body.rotation * load.force_body;
   const Vec2 away = Vec2{edge.y(), edge.x()}.normalized();  // off the edge, y downwards
   const Vec2 along{force.x() / size, -force.y() / size};
   const bool pushes = along.dot(away) <= 0;
@@ -161,7 +161,7 @@ void draw_mesh_and_forces(Svg& svg, const Analysis& a) {
     svg.polygon(panel.element(a, e), "fill=\"" + std::string(intact_colour) + "\"" + mesh_edges);
   svg.polygon(panel.all(a.given.polygon), outline);
   double longest = 0;
-  for (const BoundaryLoad& load : a.balanced) longest = std::max(longest, load.force.norm());
+  for (const BoundaryLoad& load : a.balanced) longest = std::max(longest, load.force_body.norm());
   bool any_pin = false;
   for (std::size_t i = 0; i < a.balanced.size(); ++i) {
     const bool pin = a.is_pin(i);

@@ -21,10 +21,10 @@ void print_forces(const Analysis& a) {
   for (std::size_t i = 0; i < a.loads.size(); ++i) {
     const Vec2 at = 1e3 * a.at(a.loads[i]);
     std::printf("force %zu at (%.2f, %.2f) mm: (%.0f, %.0f) N", i, at.x(), at.y(),
-                a.loads[i].force.x(), a.loads[i].force.y());
+                a.loads[i].force_body.x(), a.loads[i].force_body.y());
     if (a.is_pin(i))
-      std::printf("; pinned, reaction (%.0f, %.0f) N", whole(a.balanced[i].force.x()),
-                  whole(a.balanced[i].force.y()));
+      std::printf("; pinned, reaction (%.0f, %.0f) N", whole(a.balanced[i].force_body.x()),
+                  whole(a.balanced[i].force_body.y()));
     std::printf("\n");
   }
   const Wrench rest = a.unbalanced();

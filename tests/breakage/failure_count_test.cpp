@@ -101,7 +101,7 @@ namespace {
 // Contact forces of some kN fail part of a particle of 16 mm.
 std::vector<BoundaryLoad> heavy_loads(const Mesh& mesh, Random& random) {
   auto loads = test::random_loads(mesh, 4, random);
-  for (BoundaryLoad& load : loads) load.force *= 10;
+  for (BoundaryLoad& load : loads) load.force_body *= 10;
   return loads;
 }
 
@@ -131,11 +131,11 @@ TEST_CASE("a turned or mirrored particle has the same Rat, and the same first fa
 
     const Rotation turn = Rotation::from_angle(random.uniform(-3, 3));
     auto turned_loads = loads;
-    for (BoundaryLoad& load : turned_loads) load.force = turn * load.force;
+    for (BoundaryLoad& load : turned_loads) load.force_body = turn * load.force_body;
     check_same(failures_of(test::turned(mesh, turn), turned_loads), failures);
 
     auto mirrored_loads = loads;
-    for (BoundaryLoad& load : mirrored_loads) load.force.x() *= -1;
+    for (BoundaryLoad& load : mirrored_loads) load.force_body.x() *= -1;
     check_same(failures_of(test::mirror_image(mesh), mirrored_loads), failures);
   }
   CHECK(between >= 10);  // neither all intact nor all failed

@@ -21,7 +21,7 @@ struct StrongContactsOnly {
     double largest = 0;
     for (const BoundaryLoad& load : loads) largest = std::max(largest, load.normal_force);
     for (BoundaryLoad& load : loads)
-      if (load.normal_force < share * largest) load.force = Vec2{0, 0};
+      if (load.normal_force < share * largest) load.force_body = Vec2{0, 0};
   }
 };
 
@@ -70,32 +70,37 @@ TEST_CASE("a support that moves loads or adds some of its own is found out") {
   check_violated(support_violations(altered([](BoundaryLoad& l) { l.at.weight *= 0.9; })),
                  "loads stay where they act: way");
   check_violated(support_violations(altered([](BoundaryLoad& l) {
-                   l.force += Vec2{1e-6, 0};
+                   l.force_body += Vec2{1e-6, 0};
                  })),
                  "without loads there are no reactions");
 }
 
 TEST_CASE("a support with a force of its own is found out") {
   check_violated(support_violations(altered([](BoundaryLoad& l) {
-                   if (l.normal_force < 100) l.force = Vec2{0, 0};
+                   if (l.normal_force < 100) l.force_body = Vec2{0, 0};
                  })),
                  "three times the loads have three times the reactions");
 }
 
 TEST_CASE("a support that turns the particle is found out") {
   check_violated(support_balance_violations(
-                     altered([](BoundaryLoad& l) { l.force = perpendicular(l.force); })),
+                     altered([](BoundaryLoad& l) { l.force_body = perpendicular(l.force_body); })),
                  "moments in balance stay in balance: sum [N m]");
 }
 
+namespace {
+
+struct Halves {
+  static constexpr bool needs_flexibility = false;
+  static constexpr bool is_linear() { return true; }
+  void apply_reactions(std::span<BoundaryLoad> loads, const InfluenceOperator&) const {
+    for (BoundaryLoad& load : loads) load.force_body *= 0.5;
+  }
+};
+
+}  // namespace
+
 TEST_CASE("a support that changes loads is not linear") {
-  struct Halves {
-    static constexpr bool needs_flexibility = false;
-    static constexpr bool is_linear() { return true; }
-    void apply_reactions(std::span<BoundaryLoad> loads, const InfluenceOperator&) const {
-      for (BoundaryLoad& load : loads) load.force *= 0.5;
-    }
-  };
   check_violated(support_violations(Halves{}),
                  "a linear support leaves the loads as they are: difference [N]");
 }

@@ -121,7 +121,7 @@ TEST_CASE("pins that hold a particle balance its loads") {
     std::vector<BoundaryLoad> all = loads;
     for (std::size_t k = 0; k < 2; ++k) all.push_back({pins[k], reactions[k], 0});
     double size = 0;
-    for (const BoundaryLoad& load : all) size += load.force.norm();
+    for (const BoundaryLoad& load : all) size += load.force_body.norm();
     CHECK(test::net_force(all).norm() <= 1e-11 * size);
     CHECK(std::abs(test::net_moment(all, mesh, {0, 0})) <= 1e-11 * size * 0.016);
     // With the reactions as loads the particle is in equilibrium, free, and stressed in the same

@@ -7,6 +7,7 @@
 
 #include <riprap/stress/assemble_and_solve.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
+#include <riprap/stress/influence_operator.hpp>
 #include <riprap/stress/mesh/fan_mesher.hpp>
 #include <riprap/stress/mesh/uniform_mesher.hpp>
 #include <riprap/stress/plane_state/plane_stress.hpp>
@@ -20,18 +21,18 @@ TEST_CASE("a load between two nodes, shared by its weights, keeps its force and 
   for (std::uint32_t node = 0; node < mesh.boundary_nodes; ++node)
     for (const double weight : {0.0, 0.2, 0.77, 1.0}) {
       const BoundaryLoad load{{node, (node + 1) % mesh.boundary_nodes, weight}, {300, -170}, 0};
-      const Vec2 first = load.at.weight * load.force;
-      const Vec2 second = (1 - load.at.weight) * load.force;
+      const Vec2 first = load.at.weight * load.force_body;
+      const Vec2 second = (1 - load.at.weight) * load.force_body;
       const double moment =
           cross(mesh.nodes[load.at.node], first) + cross(mesh.nodes[load.at.next], second);
       // Round-off of products of 0.01 m and 300 N.
-      CHECK((first + second - load.force).norm() <= 1e-12);
-      CHECK(std::abs(moment - cross(mesh.position(load.at), load.force)) <= 1e-14);
+      CHECK((first + second - load.force_body).norm() <= 1e-12);
+      CHECK(std::abs(moment - cross(mesh.position(load.at), load.force_body)) <= 1e-14);
     }
 }
 
 TEST_CASE("a boundary load is none until it is given a force") {
-  CHECK(BoundaryLoad{}.force == Vec2{0, 0});
+  CHECK(BoundaryLoad{}.force_body == Vec2{0, 0});
   CHECK(BoundaryLoad{}.normal_force == 0);
 }
 
@@ -47,7 +48,7 @@ TEST_CASE("a load off the boundary or not finite is refused by every kernel that
     CAPTURE(rule);
     const std::array loads{load};
     stress.reset(mesh.size());
-    CHECK(test::message_of([&] { op.add_stress(load.at, load.force, stress); }) == rule);
+    CHECK(test::message_of([&] { op.add_stress(load.at, load.force_body, stress); }) == rule);
     CHECK(test::message_of([&] { whole.solve_free(loads, stress); }) == rule);
     CHECK(test::message_of([&] {
             whole.solve_pinned(loads, {BoundaryPoint{0, 1, 1}, BoundaryPoint{5, 6, 1}}, stress);

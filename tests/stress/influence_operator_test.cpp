@@ -59,7 +59,8 @@ Eigen::Vector3d second_moments(Ring ring) {
 // x) that balances the moment M; the inertia that balances the net force has no first moment.
 Stress2 expected_mean(Ring ring, const Mesh& mesh, std::span<const BoundaryLoad> loads) {
   Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
-  for (const BoundaryLoad& load : loads) sum += load.force * mesh.position(load.at).transpose();
+  for (const BoundaryLoad& load : loads)
+    sum += load.force_body * mesh.position(load.at).transpose();
   const Eigen::Vector3d second = second_moments(ring);
   const double spin = test::net_moment(loads, mesh, {0, 0}) / (second[0] + second[1]);
   Eigen::Matrix2d inertia;
@@ -92,7 +93,7 @@ double work(const InfluenceOperator& op, std::span<const BoundaryLoad> of,
   double sum = 0;
   for (const BoundaryLoad& p : of)
     for (const BoundaryLoad& q : on_way_of)
-      sum += p.force.dot(op.displacement(p.at, q.at, q.force));
+      sum += p.force_body.dot(op.displacement(p.at, q.at, q.force_body));
   return sum;
 }
 
@@ -227,7 +228,7 @@ TEST_CASE("stress is force over length times thickness, in any unit of length") 
   const Mesh mesh = test::random_mesh(random, 100);
   auto loads = test::random_loads(mesh, 4, random);
   const ElementStress metres = stress_of(operator_of(mesh), loads);
-  for (BoundaryLoad& load : loads) load.force *= 1e6;
+  for (BoundaryLoad& load : loads) load.force_body *= 1e6;
   const ElementStress millimetres =
       stress_of(operator_of(test::scaled(mesh, 1000), {}, 1000 * thickness), loads);
   CHECK(relative_difference(millimetres, metres) <= round_off);
@@ -245,7 +246,7 @@ TEST_CASE("stresses of several loads add up") {
     sum.values() += alone.values();
     ElementStress triple;
     triple.reset(mesh.size());
-    op.add_stress(load.at, -3 * load.force, triple);
+    op.add_stress(load.at, -3 * load.force_body, triple);
     alone.values() *= -3;
     CHECK(relative_difference(triple, alone) <= 1e-14);  // round-off of four products
   }
@@ -261,7 +262,7 @@ TEST_CASE("a turned particle under turned loads has turned stresses") {
   for (const double angle : {0.7345, 2.2, -1.0}) {
     const Rotation turn = Rotation::from_angle(angle);
     auto turned_loads = loads;
-    for (BoundaryLoad& load : turned_loads) load.force = turn * load.force;
+    for (BoundaryLoad& load : turned_loads) load.force_body = turn * load.force_body;
     const ElementStress turned = stress_of(operator_of(test::turned(mesh, turn)), turned_loads);
     for (std::size_t e = 0; e < mesh.size(); ++e)
       CHECK(difference(turned[e], stress[e].rotated(turn)) <= round_off * largest);
@@ -273,7 +274,7 @@ TEST_CASE("the mirror image of a loaded particle has the mirror image of its str
   const Mesh mesh = test::random_mesh(random, 100);
   auto loads = test::random_loads(mesh, 4, random);
   const ElementStress stress = stress_of(operator_of(mesh), loads);
-  for (BoundaryLoad& load : loads) load.force.x() *= -1;
+  for (BoundaryLoad& load : loads) load.force_body.x() *= -1;
   const ElementStress mirrored = stress_of(operator_of(test::mirror_image(mesh)), loads);
   const double largest = stress.values().cwiseAbs().maxCoeff();
   for (std::size_t e = 0; e < mesh.size(); ++e) {
@@ -300,8 +301,8 @@ TEST_CASE("a load that is spread like the particle's own mass moves it and does 
       const std::uint32_t q = mesh.triangles[e][(k + 1) % 3];
       const Vec2 middle = 0.5 * (mesh.nodes[p] + mesh.nodes[q]);
       const Vec2 force = 1e7 * mesh.area(e) * (Vec2{2, -1} + 500 * perpendicular(middle));
-      loads[p].force += force;
-      loads[q].force += force;
+      loads[p].force_body += force;
+      loads[q].force_body += force;
     }
   const InfluenceOperator op = operator_of(mesh);
   double largest = 0;

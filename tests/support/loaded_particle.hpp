@@ -41,14 +41,15 @@ inline constexpr PolygonShape blunt_shape{5, 9, 0.5, 1, 0.5};
 
 [[nodiscard]] inline Vec2 net_force(std::span<const BoundaryLoad> loads) {
   Vec2 sum{0, 0};
-  for (const BoundaryLoad& load : loads) sum += load.force;
+  for (const BoundaryLoad& load : loads) sum += load.force_body;
   return sum;
 }
 
 [[nodiscard]] inline double net_moment(std::span<const BoundaryLoad> loads, const Mesh& mesh,
                                        const Vec2& about) {
   double sum = 0;
-  for (const BoundaryLoad& load : loads) sum += cross(mesh.position(load.at) - about, load.force);
+  for (const BoundaryLoad& load : loads)
+    sum += cross(mesh.position(load.at) - about, load.force_body);
   return sum;
 }
 
@@ -62,14 +63,14 @@ inline void balance(std::span<BoundaryLoad> loads, const Mesh& mesh) {
   const Vec2 push = -net_force(loads) / count;
   const double turn = -net_moment(loads, mesh, centre) / spread;
   for (BoundaryLoad& load : loads)
-    load.force += push + turn * perpendicular(mesh.position(load.at) - centre);
+    load.force_body += push + turn * perpendicular(mesh.position(load.at) - centre);
 }
 
 [[nodiscard]] inline ElementStress stress_of(const InfluenceOperator& op,
                                              std::span<const BoundaryLoad> loads) {
   ElementStress stress;
   stress.reset(op.mesh().size());
-  for (const BoundaryLoad& load : loads) op.add_stress(load.at, load.force, stress);
+  for (const BoundaryLoad& load : loads) op.add_stress(load.at, load.force_body, stress);
   return stress;
 }
 

@@ -13,7 +13,7 @@ struct StrongContactsOnly {  // weak contacts load nothing; inertia balances wha
     double largest = 0;
     for (const BoundaryLoad& load : loads) largest = std::max(largest, load.normal_force);
     for (BoundaryLoad& load : loads)
-      if (load.normal_force < share * largest) load.force = Vec2{0, 0};
+      if (load.normal_force < share * largest) load.force_body = Vec2{0, 0};
   }
 };
 

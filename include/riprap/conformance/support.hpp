@@ -49,8 +49,8 @@ template <Support S>
   for (std::uint32_t i = 0; i + 1 < count; ++i) {
     const Vec2 apart = mesh.position(loads[i + 1].at) - mesh.position(loads[i].at);
     const Vec2 force = random.uniform(-1e3, 1e3) * apart.normalized();
-    loads[i].force -= force;
-    loads[i + 1].force += force;
+    loads[i].force_body -= force;
+    loads[i + 1].force_body += force;
   }
   return loads;
 }
@@ -68,16 +68,16 @@ template <Support S>
       check.at("number of loads", count);
       std::vector<BoundaryLoad> loads = internal::balanced_loads(random, count, op.mesh());
       for (BoundaryLoad& load : loads)
-        load.force += Vec2{random.uniform(-100, 100), random.uniform(-100, 100)};
+        load.force_body += Vec2{random.uniform(-100, 100), random.uniform(-100, 100)};
       std::vector<BoundaryLoad> balanced = loads;
       support.apply_reactions(balanced, op);
 
       std::vector<BoundaryLoad> tripled = loads;
       std::vector<BoundaryLoad> none = loads;
       for (std::size_t k = 0; k < count; ++k) {
-        tripled[k].force *= 3;
+        tripled[k].force_body *= 3;
         tripled[k].normal_force *= 3;
-        none[k].force = Vec2{0, 0};
+        none[k].force_body = Vec2{0, 0};
       }
       support.apply_reactions(tripled, op);
       support.apply_reactions(none, op);
@@ -86,12 +86,12 @@ template <Support S>
                     (op.mesh().position(balanced[k].at) - op.mesh().position(loads[k].at)).norm(),
                     0, 0);
         check.equal("three times the loads have three times the reactions",
-                    (tripled[k].force - 3 * balanced[k].force).norm(), 0, 1e-8);
-        check.equal("without loads there are no reactions", none[k].force.norm(), 0, 0);
+                    (tripled[k].force_body - 3 * balanced[k].force_body).norm(), 0, 1e-8);
+        check.equal("without loads there are no reactions", none[k].force_body.norm(), 0, 0);
         if constexpr (LinearSupport<S>)
           if (support.is_linear())
             check.equal("a linear support leaves the loads as they are: difference [N]",
-                        (balanced[k].force - loads[k].force).norm(), 0, 0);
+                        (balanced[k].force_body - loads[k].force_body).norm(), 0, 0);
       }
     }
   return std::move(check).violations();
@@ -111,8 +111,8 @@ template <Support S>
       Vec2 force{0, 0};
       double moment = 0;
       for (const BoundaryLoad& load : loads) {
-        force += load.force;
-        moment += cross(op.mesh().position(load.at), load.force);
+        force += load.force_body;
+        moment += cross(op.mesh().position(load.at), load.force_body);
       }
       // Round-off of kilonewtons, and of kilonewtons at a hundredth of a metre.
       check.equal("forces in balance stay in balance: sum [N]", force.norm(), 0, 1e-8);

@@ -210,9 +210,9 @@ class AssembleAndSolve {
 
   void add_loads(std::span<const BoundaryLoad> loads, Eigen::VectorXd& forces) const {
     for (const BoundaryLoad& load : loads) {
-      require_boundary_load(load.at, load.force, mesh_.boundary_nodes);
-      forces.segment<2>(2 * Eigen::Index{load.at.node}) += load.at.weight * load.force;
-      forces.segment<2>(2 * Eigen::Index{load.at.next}) += (1 - load.at.weight) * load.force;
+      require_boundary_load(load.at, load.force_body, mesh_.boundary_nodes);
+      forces.segment<2>(2 * Eigen::Index{load.at.node}) += load.at.weight * load.force_body;
+      forces.segment<2>(2 * Eigen::Index{load.at.next}) += (1 - load.at.weight) * load.force_body;
     }
   }
 
@@ -221,8 +221,8 @@ class AssembleAndSolve {
     Vec2 force{0, 0};
     double moment = 0;
     for (const BoundaryLoad& load : loads) {
-      force += load.force;
-      moment += cross(mesh_.position(load.at) - centre_, load.force);
+      force += load.force_body;
+      moment += cross(mesh_.position(load.at) - centre_, load.force_body);
     }
     const Vec2 acceleration = force / mass_;
     const double spin = moment / inertia_;

@@ -11,7 +11,7 @@ namespace riprap {
 /// A point load in the body's own frame.
 struct BoundaryLoad {
   BoundaryPoint at{};
-  Vec2 force{0, 0};         ///< on the particle [N]
+  Vec2 force_body{0, 0};    ///< on the particle [N]
   double normal_force = 0;  ///< of the contact [N]; supports choose by it
 };
 

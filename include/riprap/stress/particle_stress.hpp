@@ -45,7 +45,8 @@ class StressEvaluation {
     }
     support.apply_reactions(std::span<BoundaryLoad>(balanced_), op);
     stress_.reset(op.mesh().size());
-    for (const BoundaryLoad& load : balanced_) op.add_stress(load.at, scale * load.force, stress_);
+    for (const BoundaryLoad& load : balanced_)
+      op.add_stress(load.at, scale * load.force_body, stress_);
     return stress_;
   }
 

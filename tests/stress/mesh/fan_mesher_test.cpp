@@ -79,7 +79,8 @@ TEST_CASE("the mean stress of a fan in equilibrium is the sum of force times pos
     auto loads = test::random_loads(mesh, 5, random);
     test::balance(loads, mesh);
     Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
-    for (const BoundaryLoad& load : loads) sum += load.force * mesh.position(load.at).transpose();
+    for (const BoundaryLoad& load : loads)
+      sum += load.force_body * mesh.position(load.at).transpose();
     sum /= -thickness * area_properties(polygon.ring()).area;
     const ElementStress stress = test::stress_of(operator_of(mesh), loads);
     const Stress2 mean = test::mean_stress(mesh, stress);

@@ -39,7 +39,7 @@ static_assert(!Support<ChangesTheSpan>);
 struct HalfTheLoad {
   static constexpr bool needs_flexibility = false;
   void apply_reactions(std::span<BoundaryLoad> loads, const InfluenceOperator&) const {
-    for (BoundaryLoad& load : loads) load.force *= 0.5;
+    for (BoundaryLoad& load : loads) load.force_body *= 0.5;
   }
 };
 

@@ -57,7 +57,7 @@ void prefer(std::span<BoundaryLoad> loads, std::size_t i, std::size_t j) {
 
 void check_balanced(const Mesh& mesh, std::span<const BoundaryLoad> loads) {
   double size = 0;
-  for (const BoundaryLoad& load : loads) size += load.force.norm();
+  for (const BoundaryLoad& load : loads) size += load.force_body.norm();
   CHECK(test::net_force(loads).norm() <= 1e-14 * size);  // round-off
   CHECK(std::abs(test::net_moment(loads, mesh, {0, 0})) <= 1e-14 * size * 0.016);
 }
@@ -99,7 +99,7 @@ TEST_CASE("pinned contacts give what assembling and solving with two fixed point
       AssembleAndSolve direct(mesh, ConstantStrainTriangle{}, plane, rock, thickness,
                               DeterminateSupport::on_opposite_sides(mesh));
       auto others = loads;
-      others[i].force = others[j].force = Vec2{0, 0};
+      others[i].force_body = others[j].force_body = Vec2{0, 0};
       ElementStress expected;
       const auto reactions = direct.solve_pinned(others, {loads[i].at, loads[j].at}, expected);
 
@@ -108,10 +108,10 @@ TEST_CASE("pinned contacts give what assembling and solving with two fixed point
       TwoPinnedContacts{}.apply_reactions(balanced, op);
       CHECK(relative_difference(stress_of(op, balanced), expected) <= 1e-9);
       const double size = reactions[0].norm() + reactions[1].norm();
-      CHECK((balanced[i].force - reactions[0]).norm() <= 1e-9 * size);
-      CHECK((balanced[j].force - reactions[1]).norm() <= 1e-9 * size);
+      CHECK((balanced[i].force_body - reactions[0]).norm() <= 1e-9 * size);
+      CHECK((balanced[j].force_body - reactions[1]).norm() <= 1e-9 * size);
       for (std::size_t k = 0; k < loads.size(); ++k)
-        if (k != i && k != j) CHECK(balanced[k].force == loads[k].force);
+        if (k != i && k != j) CHECK(balanced[k].force_body == loads[k].force_body);
       check_balanced(mesh, balanced);
     };
     compare(PlaneStress{});
@@ -128,7 +128,8 @@ TEST_CASE("with the reactions of the pins the mean stress is the sum of force ti
     TwoPinnedContacts{}.apply_reactions(loads, op);
     Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
     double area = 0;
-    for (const BoundaryLoad& load : loads) sum -= load.force * mesh.position(load.at).transpose();
+    for (const BoundaryLoad& load : loads)
+      sum -= load.force_body * mesh.position(load.at).transpose();
     for (std::size_t e = 0; e < mesh.size(); ++e) area += mesh.area(e);
     const ElementStress stress = stress_of(op, loads);
     const Stress2 mean = test::mean_stress(mesh, stress);
@@ -149,8 +150,8 @@ TEST_CASE("a particle with exactly two contacts feels no load when both are pinn
     // Free, it is pressed together.
     CHECK(stress_of(op, loads).values().cwiseAbs().maxCoeff() > 1e5);
     TwoPinnedContacts{choice}.apply_reactions(loads, op);
-    CHECK(loads[0].force.norm() == 0);
-    CHECK(loads[1].force.norm() == 0);
+    CHECK(loads[0].force_body.norm() == 0);
+    CHECK(loads[1].force_body.norm() == 0);
   }
 }
 
@@ -161,12 +162,12 @@ TEST_CASE("a particle that two pins cannot hold is left without stress") {
 
   std::vector<BoundaryLoad> one{load_at(mesh, {0.009, 0.001}, {-500, 30}, 500)};
   TwoPinnedContacts{}.apply_reactions(one, op);
-  CHECK(one[0].force == Vec2{0, 0});
+  CHECK(one[0].force_body == Vec2{0, 0});
 
   // Three contacts on one and the same place.
   std::vector<BoundaryLoad> same(3, load_at(mesh, {0, 0.009}, {-500, -30}, 500));
   TwoPinnedContacts{}.apply_reactions(same, op);
-  for (const BoundaryLoad& load : same) CHECK(load.force == Vec2{0, 0});
+  for (const BoundaryLoad& load : same) CHECK(load.force_body == Vec2{0, 0});
 }
 
 TEST_CASE("of contacts that coincide only one is pinned") {
@@ -176,11 +177,11 @@ TEST_CASE("of contacts that coincide only one is pinned") {
       load_at(mesh, {0, 0.009}, {10, -900}, 900), load_at(mesh, {1e-6, 0.009}, {20, -800}, 800),
       load_at(mesh, {0.009, 0.001}, {-300, 5}, 300), load_at(mesh, {-0.009, 0.001}, {200, 5}, 200)};
   TwoPinnedContacts{}.apply_reactions(loads, op);
-  CHECK(loads[1].force == Vec2{20, -800});
-  CHECK(loads[3].force == Vec2{200, 5});
+  CHECK(loads[1].force_body == Vec2{20, -800});
+  CHECK(loads[3].force_body == Vec2{200, 5});
   check_balanced(mesh, loads);
   // Next to a pin, the force of the second contact goes into it.
-  CHECK((loads[0].force + loads[1].force).norm() < 0.5 * loads[1].force.norm());
+  CHECK((loads[0].force_body + loads[1].force_body).norm() < 0.5 * loads[1].force_body.norm());
 }
 
 TEST_CASE("the two largest normal forces are pinned, or the two contacts farthest apart") {
@@ -194,7 +195,7 @@ TEST_CASE("the two largest normal forces are pinned, or the two contacts farthes
     TwoPinnedContacts{choice}.apply_reactions(balanced, op);
     std::vector<std::size_t> changed;
     for (std::size_t k = 0; k < 4; ++k)
-      if (balanced[k].force != loads[k].force) changed.push_back(k);
+      if (balanced[k].force_body != loads[k].force_body) changed.push_back(k);
     return changed;
   };
   CHECK(TwoPinnedContacts{}.choice == Choice::largest_normal_forces);
@@ -210,10 +211,10 @@ TEST_CASE("among equal contacts the first are pinned") {
     loads.push_back(load_at(mesh, x, -1e4 * x + Vec2{5, 3}, 100));
   const auto before = loads;
   TwoPinnedContacts{}.apply_reactions(loads, op);
-  CHECK(loads[0].force != before[0].force);
-  CHECK(loads[1].force != before[1].force);
-  CHECK(loads[2].force == before[2].force);
-  CHECK(loads[3].force == before[3].force);
+  CHECK(loads[0].force_body != before[0].force_body);
+  CHECK(loads[1].force_body != before[1].force_body);
+  CHECK(loads[2].force_body == before[2].force_body);
+  CHECK(loads[3].force_body == before[3].force_body);
 }
 
 // The force along the line of the pins is statically indeterminate and follows from the elasticity
@@ -252,7 +253,7 @@ TEST_CASE("the six choices of two pins among four contacts change stresses by te
             near_relative(free_energy, 1e-9));
       // The loads were in equilibrium: all that changes is the force along the line of the pins.
       const Vec2 line = mesh.position(loads[j].at) - mesh.position(loads[i].at);
-      const Vec2 push = balanced[j].force - loads[j].force;
+      const Vec2 push = balanced[j].force_body - loads[j].force_body;
       CHECK(std::abs(cross(line.normalized(), push)) <= 1e-9 * push.norm());
       fields.push_back(pinned);
     }
@@ -267,11 +268,11 @@ TEST_CASE("pins and loads turned together give turned reactions") {
   auto loads = spread_loads(mesh, 4, random);
   auto turned_loads = loads;
   const Rotation turn = Rotation::from_angle(0.7345);
-  for (BoundaryLoad& load : turned_loads) load.force = turn * load.force;
+  for (BoundaryLoad& load : turned_loads) load.force_body = turn * load.force_body;
   TwoPinnedContacts{}.apply_reactions(loads, operator_of(mesh));
   TwoPinnedContacts{}.apply_reactions(turned_loads, operator_of(test::turned(mesh, turn)));
   for (std::size_t k = 0; k < loads.size(); ++k)
-    CHECK((turned_loads[k].force - turn * loads[k].force).norm() <= 1e-9 * 1e3);
+    CHECK((turned_loads[k].force_body - turn * loads[k].force_body).norm() <= 1e-9 * 1e3);
 }
 
 TEST_CASE("reactions do not depend on Young's modulus, and grow with the loads") {
@@ -281,12 +282,12 @@ TEST_CASE("reactions do not depend on Young's modulus, and grow with the loads")
   auto stiff = loads;
   auto soft = loads;
   auto large = loads;
-  for (BoundaryLoad& load : large) load.force *= 7;
+  for (BoundaryLoad& load : large) load.force_body *= 7;
   TwoPinnedContacts{}.apply_reactions(stiff, operator_of(mesh, {70e9, 0.17, 2500}));
   TwoPinnedContacts{}.apply_reactions(soft, operator_of(mesh, {1e7, 0.17, 2500}));
   TwoPinnedContacts{}.apply_reactions(large, operator_of(mesh, {70e9, 0.17, 2500}));
   for (std::size_t k = 0; k < loads.size(); ++k) {
-    CHECK((soft[k].force - stiff[k].force).norm() <= 1e-9 * 1e3);
-    CHECK((large[k].force - 7 * stiff[k].force).norm() <= 1e-9 * 7e3);
+    CHECK((soft[k].force_body - stiff[k].force_body).norm() <= 1e-9 * 1e3);
+    CHECK((large[k].force_body - 7 * stiff[k].force_body).norm() <= 1e-9 * 7e3);
   }
 }

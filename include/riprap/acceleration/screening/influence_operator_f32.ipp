@@ -58,9 +58,9 @@ RIPRAP_INLINE void InfluenceOperatorF32::find_stress(std::span<const BoundaryLoa
   out.values.assign(3 * stride_, 0);
   double terms = 0;
   for (const BoundaryLoad& load : loads) {
-    require_boundary_load(load.at, load.force, locator_.nodes());
-    const Vec2 near = scale * load.at.weight * load.force;
-    const Vec2 far = scale * (1 - load.at.weight) * load.force;
+    require_boundary_load(load.at, load.force_body, locator_.nodes());
+    const Vec2 near = scale * load.at.weight * load.force_body;
+    const Vec2 far = scale * (1 - load.at.weight) * load.force_body;
     const std::array<float, 4> factors{static_cast<float>(near.x()), static_cast<float>(near.y()),
                                        static_cast<float>(far.x()), static_cast<float>(far.y())};
     const float* const near_columns = column(2 * std::size_t{load.at.node});

@@ -19,7 +19,7 @@ RIPRAP_INLINE void StressChangeBound::reset(std::span<const ContactLoad> loads,
   double forces = 0;
   for (std::size_t c = 0; c < loads.size(); ++c) {
     const Vec2 arm = rotation.inverse_times(loads[c].arm_lab);
-    const Vec2& force = placed[c].force;
+    const Vec2& force = placed[c].force_body;
     const BoundaryPoint& at = places[c].at;
     const double valid_radius = reduced(std::min(places[c].valid_radius, op.valid_radius(at)), arm);
     contacts_[c] = {.load = LoadSensitivity::single(arm, force),

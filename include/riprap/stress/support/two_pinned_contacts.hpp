@@ -27,9 +27,9 @@ struct TwoPinnedContacts {
   void apply_reactions(std::span<BoundaryLoad> loads, const InfluenceOperator& op) const {
     const auto [first, second] = pins(loads, op.mesh());
     for (const std::size_t i : {first, second})
-      if (i < loads.size()) loads[i].force = Vec2{0, 0};
+      if (i < loads.size()) loads[i].force_body = Vec2{0, 0};
     if (first == second) {
-      for (BoundaryLoad& load : loads) load.force = Vec2{0, 0};
+      for (BoundaryLoad& load : loads) load.force_body = Vec2{0, 0};
       return;
     }
     BoundaryLoad& p = loads[first];
@@ -43,21 +43,21 @@ struct TwoPinnedContacts {
     Vec2 sum{0, 0};
     double moment = 0;
     for (const BoundaryLoad& load : loads) {
-      sum += load.force;
-      moment += cross(op.mesh().position(load.at) - origin, load.force);
+      sum += load.force_body;
+      moment += cross(op.mesh().position(load.at) - origin, load.force_body);
     }
-    q.force = -(moment / length) * perpendicular(along);
-    p.force = -sum - q.force;
+    q.force_body = -(moment / length) * perpendicular(along);
+    p.force_body = -sum - q.force_body;
 
     // Compatibility: a pair of forces along the line restores the distance between the pins.
     double gap = 0;
     for (const BoundaryLoad& load : loads)
-      gap += stretch(op, p.at, q.at, along, load.at, load.force);
+      gap += stretch(op, p.at, q.at, along, load.at, load.force_body);
     const double unit =
         stretch(op, p.at, q.at, along, q.at, along) - stretch(op, p.at, q.at, along, p.at, along);
     const Vec2 pull = -(gap / unit) * along;
-    q.force += pull;
-    p.force -= pull;
+    q.force_body += pull;
+    p.force_body -= pull;
   }
 
  private:
