@@ -17,6 +17,7 @@
 #include <riprap/acceleration/screening/stress_change_bound.hpp>
 #include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/stress/assemble_and_solve.hpp>
+#include <riprap/stress/boundary_locator.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
 #include <riprap/stress/influence_operator.hpp>
 #include <riprap/stress/mesh/uniform_mesher.hpp>
@@ -43,7 +44,7 @@ struct Loaded {
   [[nodiscard]] Loads located(const Mesh& mesh) const {
     Loads loads;
     for (std::size_t k = 0; k < contacts; ++k)
-      loads[k] = {mesh.nearest_boundary_point(arms[k]), forces[k], 0};
+      loads[k] = {nearest_boundary_point(mesh, arms[k]), forces[k], 0};
     return loads;
   }
 };

@@ -51,8 +51,8 @@ int main() {
   const Mesh& mesh = influence.mesh();
   ElementStress stress;
   stress.reset(mesh.size());
-  influence.add_stress(mesh.nearest_boundary_point({0, side / 2}), {0, -force}, stress);
-  influence.add_stress(mesh.nearest_boundary_point({0, -side / 2}), {0, force}, stress);
+  influence.add_stress(nearest_boundary_point(mesh, {0, side / 2}), {0, -force}, stress);
+  influence.add_stress(nearest_boundary_point(mesh, {0, -side / 2}), {0, force}, stress);
   double mean = 0;
   for (std::size_t e = 0; e < mesh.size(); ++e)
     mean += mesh.area(e) * stress[e].s22 / (side * side);

@@ -55,7 +55,7 @@ void check_stress(const Analysis& a) {
 BoundaryLoad boundary_load(const Mesh& mesh, const Body& body, const PointForce& given) {
   const Vec2 force = body.rotation.inverse_times(given.force);
   const BoundaryPoint point =
-      mesh.nearest_boundary_point(body.rotation.inverse_times(given.at - body.position));
+      nearest_boundary_point(mesh, body.rotation.inverse_times(given.at - body.position));
   const Vec2 inward = perpendicular(mesh.nodes[point.next] - mesh.nodes[point.node]).normalized();
   return {point, force, given.normal.value_or(std::max(0.0, inward.dot(force)))};
 }

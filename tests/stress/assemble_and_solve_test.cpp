@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <riprap/stress/assemble_and_solve.hpp>
+#include <riprap/stress/boundary_locator.hpp>
 
 #include <doctest/doctest.h>
 
@@ -145,7 +146,7 @@ TEST_CASE("a bar pinned at both ends carries an axial force half in either half"
   const double length = 0.1;
   const Mesh mesh = UniformMesher{800}(test::rectangle(length, 0.01).ring());
   const Direct direct(mesh, {}, {}, Rock{}, thickness, DeterminateSupport::on_opposite_sides(mesh));
-  const auto at = [&](double x, double y) { return mesh.nearest_boundary_point({x, y}); };
+  const auto at = [&](double x, double y) { return nearest_boundary_point(mesh, {x, y}); };
   const std::vector<BoundaryLoad> loads{{at(0, 0.005), {500, 0}, 0}, {at(0, -0.005), {500, 0}, 0}};
   ElementStress stress;
   const auto reactions = direct.solve_pinned(loads, {at(-0.05, 0), at(0.05, 0)}, stress);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <riprap/stress/assemble_and_solve.hpp>
+#include <riprap/stress/boundary_locator.hpp>
 
 #include <algorithm>
 #include <array>
@@ -114,7 +115,7 @@ struct Flamant {
     return UniformMesher{triangles}(block.ring());
   }
   [[nodiscard]] std::vector<BoundaryLoad> loads(const Mesh& mesh) const {
-    std::vector<BoundaryLoad> loads{{mesh.nearest_boundary_point({0, 0}), {0, -force}, force}};
+    std::vector<BoundaryLoad> loads{{nearest_boundary_point(mesh, {0, 0}), {0, -force}, force}};
     for (std::uint32_t i = 0; i < mesh.boundary_nodes; ++i) {
       const std::uint32_t next = (i + 1) % mesh.boundary_nodes;
       const Vec2& p = mesh.nodes[i];
@@ -258,8 +259,8 @@ Mesh symmetric_square(std::uint32_t n) {
 
 /// Opposite unit forces on the middles of the lower and the upper side.
 std::vector<BoundaryLoad> across_sides(const Mesh& mesh) {
-  return {{mesh.nearest_boundary_point({0, -1}), {0, 1}, 1},
-          {mesh.nearest_boundary_point({0, 1}), {0, -1}, 1}};
+  return {{nearest_boundary_point(mesh, {0, -1}), {0, 1}, 1},
+          {nearest_boundary_point(mesh, {0, 1}), {0, -1}, 1}};
 }
 /// Opposite unit forces on two corners.
 std::vector<BoundaryLoad> across_corners(const Mesh& mesh) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <riprap/stress/boundary_load.hpp>
+#include <riprap/stress/boundary_locator.hpp>
 #include <riprap/stress/element_stress.hpp>
 #include <riprap/stress/mesh/uniform_mesher.hpp>
 #include <support/polygons.hpp>
@@ -24,8 +25,8 @@ struct BrazilianDisc {
     return UniformMesher{triangles}(regular_polygon(64, radius).ring());
   }
   [[nodiscard]] std::vector<BoundaryLoad> loads(const Mesh& mesh) const {
-    return {{mesh.nearest_boundary_point({0, radius}), {0, -force}, force},
-            {mesh.nearest_boundary_point({0, -radius}), {0, force}, force}};
+    return {{nearest_boundary_point(mesh, {0, radius}), {0, -force}, force},
+            {nearest_boundary_point(mesh, {0, -radius}), {0, force}, force}};
   }
   /// Of equilateral triangles that fill the disc.
   [[nodiscard]] double spacing(unsigned triangles) const {

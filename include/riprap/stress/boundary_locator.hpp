@@ -32,8 +32,7 @@ struct LocatedPoint {
   double from_corner = 0;
 };
 
-/// The data of `Mesh::nearest_boundary_point` in contiguous memory; results are bitwise identical,
-/// also where two edges are equally near.
+/// The edges of a mesh in contiguous memory. Where two edges are equally near, the first is taken.
 class BoundaryLocator {
  public:
   BoundaryLocator() = default;
@@ -62,6 +61,11 @@ class BoundaryLocator {
   std::vector<Edge> edges_;
   std::uint32_t nodes_ = 0;
 };
+
+/// The boundary point nearest to x (body frame); for many points keep a BoundaryLocator.
+[[nodiscard]] inline BoundaryPoint nearest_boundary_point(const Mesh& mesh, const Vec2& x) {
+  return BoundaryLocator(mesh).nearest(x).at;
+}
 
 }  // namespace riprap
 

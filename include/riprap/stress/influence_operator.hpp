@@ -15,6 +15,7 @@
 #include <riprap/core/linkage.hpp>
 #include <riprap/material/rock.hpp>
 #include <riprap/stress/boundary_load.hpp>
+#include <riprap/stress/boundary_locator.hpp>
 #include <riprap/stress/element/concepts.hpp>
 #include <riprap/stress/element_stress.hpp>
 #include <riprap/stress/mesh/mesh.hpp>
@@ -41,6 +42,7 @@ class InfluenceOperator {
                     bool with_flexibility)
       : mesh_(std::move(mesh)) {
     mesh_.validate();
+    locator_ = BoundaryLocator(mesh_);
     rock.validate();
     require_positive("InfluenceOperator: thickness", thickness);
     std::vector<ElementMatrices> elements(mesh_.size());
@@ -56,6 +58,7 @@ class InfluenceOperator {
   }
 
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] const BoundaryLocator& locator() const { return locator_; }
   [[nodiscard]] bool empty() const { return stress_.size() == 0; }
   /// S [1/m^2]: a column for each boundary node and axis, with the s11 of every element, then the
   /// s22, then the s12.
@@ -99,6 +102,7 @@ class InfluenceOperator {
                    const double* elasticity);
 
   Mesh mesh_;
+  BoundaryLocator locator_;
   Eigen::MatrixXd stress_;       // 3 elements x 2 boundary nodes, compression positive
   Eigen::MatrixXd flexibility_;  // 2 boundary nodes squared, or empty
 };

@@ -40,7 +40,7 @@ class StressEvaluation {
     for (const ContactLoad& load : loads) {
       require_finite("sum of a contact's arm and force",
                      load.arm_lab.x() + load.arm_lab.y() + load.force_lab.x() + load.force_lab.y());
-      balanced_.push_back({op.mesh().nearest_boundary_point(rotation.inverse_times(load.arm_lab)),
+      balanced_.push_back({op.locator().nearest(rotation.inverse_times(load.arm_lab)).at,
                            rotation.inverse_times(load.force_lab), load.normal_force});
     }
     support.apply_reactions(std::span<BoundaryLoad>(balanced_), op);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <riprap/stress/boundary_locator.hpp>
 #include <riprap/stress/mesh/mesh.hpp>
 
 #include <array>
@@ -57,17 +58,17 @@ TEST_CASE("triangles of a mesh have the areas and centroids of elementary geomet
 
 TEST_CASE("a point beside an edge goes to its foot on the edge") {
   const Mesh mesh = small_mesh();
-  const BoundaryPoint below = mesh.nearest_boundary_point({0.5, -7});
+  const BoundaryPoint below = nearest_boundary_point(mesh, {0.5, -7});
   CHECK(below.node == 1);
   CHECK(below.next == 2);
   CHECK(below.weight == 0.75);
   // The middle line is nearest to the short edge on its right.
-  const BoundaryPoint inside = mesh.nearest_boundary_point({1.5, 0.25});
+  const BoundaryPoint inside = nearest_boundary_point(mesh, {1.5, 0.25});
   CHECK(inside.node == 2);
   CHECK(inside.next == 3);
   CHECK(inside.weight == 0.375);
   // The last piece of the ring closes it.
-  const BoundaryPoint left = mesh.nearest_boundary_point({-2.1, 0.5});
+  const BoundaryPoint left = nearest_boundary_point(mesh, {-2.1, 0.5});
   CHECK(left.node == 5);
   CHECK(left.next == 0);
   CHECK(left.weight == 0.75);
@@ -77,7 +78,7 @@ TEST_CASE("a point beyond a corner goes to the corner") {
   const Mesh mesh = small_mesh();
   for (const std::uint32_t corner : mesh.corners) {
     const Vec2 x = 1.7 * mesh.nodes[corner];
-    CHECK(mesh.position(mesh.nearest_boundary_point(x)) == mesh.nodes[corner]);
+    CHECK(mesh.position(nearest_boundary_point(mesh, x)) == mesh.nodes[corner]);
   }
 }
 
@@ -87,7 +88,7 @@ TEST_CASE("a place between two boundary nodes finds itself again") {
     const Mesh mesh = test::random_mesh(random, 60);
     for (const BoundaryLoad& load : test::random_loads(mesh, 20, random)) {
       const Vec2 x = mesh.position(load.at);
-      const BoundaryPoint found = mesh.nearest_boundary_point(x);
+      const BoundaryPoint found = nearest_boundary_point(mesh, x);
       // Round-off of coordinates of some centimetres.
       CHECK((mesh.position(found) - x).norm() <= 1e-16);
       CHECK(found.node == load.at.node);
@@ -104,7 +105,7 @@ TEST_CASE("no place on the boundary is nearer than the nearest one, from inside 
     const Mesh mesh = test::random_mesh(random, 60);
     for (int k = 0; k < 50; ++k) {
       const Vec2 x{random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02)};
-      const BoundaryPoint found = mesh.nearest_boundary_point(x);
+      const BoundaryPoint found = nearest_boundary_point(mesh, x);
       CHECK(found.node < mesh.boundary_nodes);
       CHECK(found.next == (found.node + 1) % mesh.boundary_nodes);
       CHECK(found.weight >= 0);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <riprap/stress/boundary_locator.hpp>
 #include <riprap/stress/support/two_pinned_contacts.hpp>
 
 #include <doctest/doctest.h>
@@ -31,7 +32,7 @@ Mesh hexagon(unsigned triangles) {
 }
 
 BoundaryLoad load_at(const Mesh& mesh, const Vec2& x, const Vec2& force, double normal_force) {
-  return {mesh.nearest_boundary_point(x), force, normal_force};
+  return {nearest_boundary_point(mesh, x), force, normal_force};
 }
 
 double least_distance(const Mesh& mesh, std::span<const BoundaryLoad> loads) {

@@ -32,7 +32,8 @@ namespace internal {
 }  // namespace internal
 
 RIPRAP_INLINE InfluenceOperatorF32::InfluenceOperatorF32(const InfluenceOperator& op)
-    : locator_(op.mesh()), elements_(op.mesh().size()), stride_((elements_ + pad - 1) / pad * pad) {
+    : locator_(op.locator()), elements_(op.mesh().size()),
+      stride_((elements_ + pad - 1) / pad * pad) {
   const Eigen::MatrixXd& exact = op.columns();
   const auto count = static_cast<std::size_t>(exact.cols());
   columns_.assign(3 * stride_ * count, 0);

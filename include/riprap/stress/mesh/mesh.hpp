@@ -50,9 +50,6 @@ struct Mesh {
     return (p + q + r) / 3;
   }
 
-  /// The boundary point nearest to x (body frame).
-  [[nodiscard]] BoundaryPoint nearest_boundary_point(const Vec2& x) const;
-
   [[nodiscard]] Vec2 position(const BoundaryPoint& at) const {
     return at.weight * nodes[at.node] + (1 - at.weight) * nodes[at.next];
   }

@@ -2,34 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include <riprap/stress/mesh/mesh.hpp>
 
 namespace riprap {
-
-RIPRAP_INLINE BoundaryPoint Mesh::nearest_boundary_point(const Vec2& x) const {
-  double nearest = std::numeric_limits<double>::infinity();
-  BoundaryPoint best;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const std::uint32_t first = corners[k];
-    const std::uint32_t end = k + 1 < corners.size() ? corners[k + 1] : boundary_nodes;
-    const Vec2& p = nodes[first];
-    const Vec2 edge = nodes[end % boundary_nodes] - p;
-    const double along = std::clamp(edge.dot(x - p) / edge.dot(edge), 0.0, 1.0);
-    const Vec2 off = x - (p + along * edge);
-    if (off.dot(off) >= nearest) continue;
-    nearest = off.dot(off);
-    // Nodes divide an edge evenly.
-    const double place = along * (end - first);
-    const auto segment = std::min(static_cast<std::uint32_t>(place), end - first - 1);
-    best = {first + segment, (first + segment + 1) % boundary_nodes, 1 - (place - segment)};
-  }
-  return best;
-}
 
 namespace internal {
 
