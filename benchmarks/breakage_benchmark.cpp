@@ -34,10 +34,10 @@ constexpr std::size_t elements = 100;
   return all;
 }
 
-template <class Criterion>
+template <class CriterionT>
 void count(benchmark::State& state) {
   const std::vector<ElementStress> stresses = random_stresses();
-  const Criterion criterion;
+  const CriterionT criterion;
   std::size_t i = 0;
   std::size_t failed = 0;
   for (auto _ : state) {

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include <riprap/contact/broad_phase/uniform_grid.hpp>
-#include <riprap/contact/law/linear_spring_coulomb.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
 
 #include "support.hpp"

@@ -20,7 +20,7 @@
 #include <riprap/stress/boundary_locator.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
 #include <riprap/stress/influence_operator.hpp>
-#include <riprap/stress/mesh/uniform_mesher.hpp>
+#include <riprap/stress/mesher/uniform_mesher.hpp>
 #include <riprap/stress/plane_state/plane_stress.hpp>
 
 #include "support.hpp"

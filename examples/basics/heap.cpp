@@ -57,7 +57,7 @@ double heap(double friction, const char* picture) {
                           .tangential_stiffness = 1e5,
                           .friction = friction,
                           .damping_ratio = 0.4};
-  Simulation sim{Model{}.contact(law).damping(NoDamping{}).criterion(NeverFails{}), column(),
+  Simulation sim{Model{}.contact_law(law).damping(NoDamping{}).criterion(NeverFails{}), column(),
                  Rock{}};
   sim.set_body_force({0, -9.81});
   while (sim.time() < 2) sim.step();

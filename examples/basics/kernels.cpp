@@ -13,7 +13,7 @@
 #include <riprap/geometry/overlap.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
 #include <riprap/stress/influence_operator.hpp>
-#include <riprap/stress/mesh/uniform_mesher.hpp>
+#include <riprap/stress/mesher/uniform_mesher.hpp>
 #include <riprap/stress/plane_state/plane_stress.hpp>
 using namespace riprap;
 

@@ -48,7 +48,8 @@ int main() {
   const ConvexPolygon wall{{0.01601, -0.01}, {0.03, -0.01}, {0.03, 0.026}, {0.01601, 0.026}};
   const Assembly thrown{
       .particles = {{square, Motion::free, Vec2{speed, 0}}, {wall, Motion::prescribed}}};
-  Simulation sim{Model{}.contact(law).damping(NoDamping{}).criterion(NeverFails{}), thrown, Rock{}};
+  Simulation sim{Model{}.contact_law(law).damping(NoDamping{}).criterion(NeverFails{}), thrown,
+                 Rock{}};
   const auto& block = sim.particles().body(0);
   const double before = block.kinetic_energy();
   while (block.contact.force.x() == 0) sim.step();

@@ -43,7 +43,7 @@ Crushing crush(const Tresca& criterion) {
       .particles = {{square},
                     {platen.moved({}, {0, 0.016}), Motion::prescribed, -speed},
                     {platen.moved({}, {0, -0.016}), Motion::prescribed, speed}}};
-  Simulation sim{Model{}.contact(springs).criterion(criterion), assembly, Rock{}};
+  Simulation sim{Model{}.contact_law(springs).criterion(criterion), assembly, Rock{}};
   ForceAtBreak at_break;
   while (sim.breaks().empty()) sim.step(at_break);
   return {at_break.force, springs.normal_stiffness * speed.y() * sim.time_step()};

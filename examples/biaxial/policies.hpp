@@ -5,7 +5,7 @@
 
 #include <riprap/breakage/criterion/criterion_choice.hpp>
 #include <riprap/breakage/line_fit/line_fit_choice.hpp>
-#include <riprap/contact/law/contact_law_choice.hpp>
+#include <riprap/contact/contact_law/contact_law_choice.hpp>
 #include <riprap/core/execution/serial.hpp>
 #include <riprap/dynamics/integrator/integrator_choice.hpp>
 #include <riprap/riprap.hpp>

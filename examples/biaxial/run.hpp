@@ -24,7 +24,7 @@
 inline auto breakable_model(const Options& o) {
   return riprap::Model{}
       .broad_phase(o.broad_phase)
-      .contact(o.linear)
+      .contact_law(o.linear)
       .damping(o.damping)
       .time_step(o.time_step)
       .criterion(chosen_criterion(o))
@@ -40,7 +40,7 @@ inline auto breakable_model(const Options& o) {
 // The same with a choice of contact law, integrator and support.
 inline auto model_of_choices(const Options& o) {
   return breakable_model(o)
-      .contact(chosen_contact(o))
+      .contact_law(chosen_contact(o))
       .integrator(chosen_integrator(o))
       .support(chosen_support(o));
 }

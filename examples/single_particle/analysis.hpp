@@ -15,7 +15,7 @@
 #include <riprap/geometry/convex_polygon.hpp>
 #include <riprap/material/rock.hpp>
 #include <riprap/stress/boundary_load.hpp>
-#include <riprap/stress/mesh/uniform_mesher.hpp>
+#include <riprap/stress/mesher/uniform_mesher.hpp>
 
 // A force [N] and the place [m] where it is to act.
 struct PointForce {

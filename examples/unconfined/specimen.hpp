@@ -17,7 +17,7 @@
 
 namespace unconfined {
 
-using Criterion = riprap::CriterionChoice<riprap::HoekBrown, riprap::MohrCoulomb>;
+using ChosenCriterion = riprap::CriterionChoice<riprap::HoekBrown, riprap::MohrCoulomb>;
 
 struct Options {
   double width = 0.054;
@@ -36,7 +36,7 @@ struct Options {
 
 // Mohr-Coulomb is the straight line with the compressive and the tensile strength of Hoek-Brown, at
 // its angle of eq. 7 for sigma_3 = 0.
-inline Criterion criterion_of(const Options& o) {
+inline ChosenCriterion criterion_of(const Options& o) {
   const riprap::HoekBrown curve{.compressive_strength = o.strength, .m_b = o.m_b};
   if (o.criterion == "hoek-brown") return {curve};
   curve.validate();

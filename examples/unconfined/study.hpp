@@ -73,7 +73,7 @@ struct Study {
 
 inline Specimen specimen(const Options& o) {
   Specimen s{.options = o, .result = test(o)};
-  const Criterion criterion = criterion_of(o);
+  const ChosenCriterion criterion = criterion_of(o);
   const auto add = [&](const char* name, const auto& fit) {
     if (const auto line = riprap::failure_line(s.result, criterion, fit))
       s.lines.push_back({name, *line});

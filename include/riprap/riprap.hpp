@@ -22,9 +22,9 @@
 #include <riprap/breakage/trigger/weibull_strength.hpp>
 #include <riprap/contact/broad_phase/all_pairs.hpp>
 #include <riprap/contact/broad_phase/no_pairs.hpp>
-#include <riprap/contact/law/no_contact_force.hpp>
-#include <riprap/contact/law/overlap_area_spring.hpp>
-#include <riprap/contact/law/spring_dashpot.hpp>
+#include <riprap/contact/contact_law/no_contact_force.hpp>
+#include <riprap/contact/contact_law/overlap_area_spring.hpp>
+#include <riprap/contact/contact_law/spring_dashpot.hpp>
 #include <riprap/contact/narrow_phase/no_overlap.hpp>
 #include <riprap/contact/narrow_phase/separating_axis.hpp>
 #include <riprap/core/units.hpp>
@@ -46,7 +46,7 @@
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/particle/random_box_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
-#include <riprap/stress/mesh/fan_mesher.hpp>
+#include <riprap/stress/mesher/fan_mesher.hpp>
 #include <riprap/stress/plane_state/plane_strain.hpp>
 #include <riprap/stress/support/two_pinned_contacts.hpp>
 #include <riprap/version.hpp>

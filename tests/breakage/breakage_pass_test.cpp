@@ -143,7 +143,7 @@ TEST_CASE("loads that are not finite are an error that names the particle, not a
     CHECK_THROWS_WITH_AS(sim.step(), doctest::Contains("particle 0: "), SimulationError);
   };
   const HoekBrown strong{.compressive_strength = 1e13};
-  const auto model = Model{}.boundary(NoBoundary{}).contact(NoForce{}).criterion(strong);
+  const auto model = Model{}.boundary(NoBoundary{}).contact_law(NoForce{}).criterion(strong);
   check(model);
   check(model.support(TwoPinnedContacts{}));
   check(model.integrator(VelocityVerlet{}));

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include <riprap/conformance/collision.hpp>
-#include <riprap/contact/law/linear_spring_coulomb.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <support/near.hpp>
 
 using namespace riprap;

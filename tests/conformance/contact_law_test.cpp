@@ -5,11 +5,11 @@
 #include <support/violated.hpp>
 
 #include <riprap/conformance/contact_law.hpp>
-#include <riprap/contact/law/contact_law_choice.hpp>
-#include <riprap/contact/law/linear_spring_coulomb.hpp>
-#include <riprap/contact/law/no_contact_force.hpp>
-#include <riprap/contact/law/overlap_area_spring.hpp>
-#include <riprap/contact/law/spring_dashpot.hpp>
+#include <riprap/contact/contact_law/contact_law_choice.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
+#include <riprap/contact/contact_law/no_contact_force.hpp>
+#include <riprap/contact/contact_law/overlap_area_spring.hpp>
+#include <riprap/contact/contact_law/spring_dashpot.hpp>
 
 using namespace riprap;
 using test::check_violated;

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include <riprap/conformance/mesher.hpp>
-#include <riprap/stress/mesh/fan_mesher.hpp>
-#include <riprap/stress/mesh/uniform_mesher.hpp>
+#include <riprap/stress/mesher/fan_mesher.hpp>
+#include <riprap/stress/mesher/uniform_mesher.hpp>
 
 using namespace riprap;
 using test::check_violated;

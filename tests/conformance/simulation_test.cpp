@@ -4,7 +4,7 @@
 #include <support/violated.hpp>
 
 #include <riprap/conformance/simulation.hpp>
-#include <riprap/contact/law/spring_dashpot.hpp>
+#include <riprap/contact/contact_law/spring_dashpot.hpp>
 #include <riprap/dynamics/damping/viscous_damping.hpp>
 #include <riprap/dynamics/integrator/velocity_verlet.hpp>
 #include <riprap/stress/support/two_pinned_contacts.hpp>
@@ -19,7 +19,7 @@ constexpr LinearSpringCoulomb springs{.normal_stiffness = 2e4, .tangential_stiff
 constexpr HoekBrown rock_strength{.compressive_strength = 300};
 
 auto model() { return Model{}; }
-auto model_in_other_units() { return Model{}.contact(springs).criterion(rock_strength); }
+auto model_in_other_units() { return Model{}.contact_law(springs).criterion(rock_strength); }
 
 /// Cuts at a given distance to the left of the line.
 struct CutsBeside {
@@ -54,10 +54,11 @@ TEST_CASE("other models of riprap give the same simulation in other units") {
   };
   const SpringDashpot dashpot;
   const SpringDashpot same{.normal_stiffness = 2e4, .tangential_stiffness = 2e4};
-  CHECK(to_text(simulation_unit_violations(
-            other(model()).contact(dashpot).damping(ViscousDamping{}),
-            other(model_in_other_units()).contact(same).damping(ViscousDamping{.rate = 0.1}))) ==
-        "");
+  CHECK(
+      to_text(simulation_unit_violations(
+          other(model()).contact_law(dashpot).damping(ViscousDamping{}),
+          other(model_in_other_units()).contact_law(same).damping(ViscousDamping{.rate = 0.1}))) ==
+      "");
 }
 
 TEST_CASE("a user's model gives the same simulation in other units") {
@@ -68,9 +69,9 @@ TEST_CASE("a user's model gives the same simulation in other units") {
 }
 
 TEST_CASE("a model with a number of its own is found out") {
-  check_violated(
-      simulation_unit_violations(model(), model_in_other_units().contact(LinearSpringCoulomb{})),
-      "time is the same in other units");
+  check_violated(simulation_unit_violations(
+                     model(), model_in_other_units().contact_law(LinearSpringCoulomb{})),
+                 "time is the same in other units");
   check_violated(simulation_unit_violations(model(), model_in_other_units().criterion(HoekBrown{})),
                  "as many particles break in other units");
   check_violated(simulation_unit_violations(model().splitter(CutsBeside{}),

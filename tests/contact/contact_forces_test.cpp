@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include <riprap/contact/law/linear_spring_coulomb.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <support/near.hpp>
 #include <support/rectangle.hpp>
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <riprap/contact/broad_phase/uniform_grid.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/contact/contact_list.hpp>
-#include <riprap/contact/law/linear_spring_coulomb.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/core/random.hpp>
 #include <riprap/geometry/random_polygon.hpp>

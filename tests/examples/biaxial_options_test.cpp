@@ -44,7 +44,7 @@ std::string error_of(const Arguments& arguments) {
     o.rock.validate();
     riprap::Model{}
         .broad_phase(o.broad_phase)
-        .contact(chosen_contact(o))
+        .contact_law(chosen_contact(o))
         .damping(o.damping)
         .time_step(o.time_step)
         .mesher(o.mesher)

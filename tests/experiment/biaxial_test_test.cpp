@@ -217,8 +217,8 @@ TEST_CASE("units of length, mass and time scale the whole test") {
     const double stress = mass / length;
     Simulation sim{
         Model{}
-            .contact(LinearSpringCoulomb{.normal_stiffness = 2e7 * mass,
-                                         .tangential_stiffness = 2e7 * mass})
+            .contact_law(LinearSpringCoulomb{.normal_stiffness = 2e7 * mass,
+                                             .tangential_stiffness = 2e7 * mass})
             .criterion(HoekBrown{.compressive_strength = 300e6 * stress}),
         random_assembly(options),
         Rock{.young = 70e9 * stress, .density = 2500 * mass / (length * length * length)}};
@@ -406,7 +406,7 @@ TEST_CASE("a test whose particles are thrown out ends with an error, and the rec
       return force;
     }
   };
-  Simulation sim{Model{}.criterion(NeverFails{}).contact(Explosion{}),
+  Simulation sim{Model{}.criterion(NeverFails{}).contact_law(Explosion{}),
                  random_assembly({.count = 40, .seed = 2}), Rock{}};
   CHECK_THROWS_AS(BiaxialTest{}.run(sim), SimulationError);
 }

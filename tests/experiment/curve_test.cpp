@@ -49,7 +49,7 @@ static_assert(ContactLaw<HalfTold>);
 
 template <class Law>
 auto unbreakable(const Law& law) {
-  return Model{}.criterion(NeverFails{}).contact(law);
+  return Model{}.criterion(NeverFails{}).contact_law(law);
 }
 
 constexpr int steps = 400;

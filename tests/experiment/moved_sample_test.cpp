@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <riprap/contact/law/overlap_area_spring.hpp>
+#include <riprap/contact/contact_law/overlap_area_spring.hpp>
 #include <riprap/dynamics/boundary/periodic_cell.hpp>
 #include <riprap/dynamics/boundary/rigid_platens.hpp>
 #include <riprap/dynamics/damping/no_damping.hpp>
@@ -46,7 +46,7 @@ Observed compressed(const BoundaryT& boundary, const Vec2& shift, int& steps) {
   Simulation sim{Model{}
                      .boundary(boundary)
                      .criterion(NeverFails{})
-                     .contact(OverlapAreaSpring{.friction = 0})
+                     .contact_law(OverlapAreaSpring{.friction = 0})
                      .damping(NoDamping{}),
                  assembly_for(boundary).moved(shift), Rock{}};
   sim.boundary().set_rate(40, 60);

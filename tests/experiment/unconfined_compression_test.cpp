@@ -59,7 +59,7 @@ std::size_t mirrored(const UnconfinedResult& r, std::size_t e, double sx, double
 }
 
 // What the error says.
-template <FailureCriterion C = HoekBrown>
+template <Criterion C = HoekBrown>
 std::string message(const UnconfinedCompression& test, const Rock& rock = {},
                     const C& criterion = {}) {
   return test::message_of([&] { (void)test.run(rock, criterion, crossed); });

@@ -6,7 +6,7 @@
 #include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/breakage/line_fit/failure_plane_through_centroid.hpp>
 #include <riprap/breakage/line_fit/weighted_xy.hpp>
-#include <riprap/stress/mesh/uniform_mesher.hpp>
+#include <riprap/stress/mesher/uniform_mesher.hpp>
 #include <support/near.hpp>
 #include <support/rectangle.hpp>
 

@@ -30,7 +30,7 @@ auto elastic_model(double friction) {
   return Model{}
       .criterion(NeverFails{})
       .damping(NoDamping{})
-      .contact(LinearSpringCoulomb{
+      .contact_law(LinearSpringCoulomb{
           .normal_stiffness = stiffness, .tangential_stiffness = stiffness, .friction = friction});
 }
 
@@ -294,8 +294,8 @@ TEST_CASE("a dashpot takes the energy that a bounce does not give back") {
   assembly.particles[0].velocity = {1, 0};
   assembly.particles[1].velocity = {-1, 0};
   auto sim = Simulation{
-      elastic_model(0).contact(SpringDashpot{2 * 0.2 * std::sqrt(stiffness * effective)}), assembly,
-      Rock{}};
+      elastic_model(0).contact_law(SpringDashpot{2 * 0.2 * std::sqrt(stiffness * effective)}),
+      assembly, Rock{}};
   sim.set_time_step(5e-9);
   EnergyLedger ledger;
   ledger.open(sim);

@@ -7,4 +7,4 @@ struct Mine : LinearSpringCoulomb {
   Mine frictionless() { return {}; }
 };
 
-const auto model = Model{}.contact(Mine{});
+const auto model = Model{}.contact_law(Mine{});

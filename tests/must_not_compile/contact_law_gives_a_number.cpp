@@ -13,4 +13,4 @@ struct Mine {
   double peak_stiffness() const { return 1e7; }
 };
 
-const auto model = Model{}.contact(Mine{});
+const auto model = Model{}.contact_law(Mine{});

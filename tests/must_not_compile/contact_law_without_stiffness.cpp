@@ -11,4 +11,4 @@ struct Mine {
   double stored_energy(const ContactGeometry&, const History&) const { return 0; }
 };
 
-const auto model = Model{}.contact(Mine{});
+const auto model = Model{}.contact_law(Mine{});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// riprap: friction_angle of a FailureCriterion must be double friction_angle(double minor) const
+// riprap: friction_angle of a Criterion must be double friction_angle(double minor) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;
 

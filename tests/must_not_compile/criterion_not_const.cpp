@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// riprap: a FailureCriterion must have double major_stress_at_failure(double minor) const
+// riprap: a Criterion must have double major_stress_at_failure(double minor) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// riprap: a FailureCriterion must have double tensile_strength() const
+// riprap: a Criterion must have double tensile_strength() const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;
 

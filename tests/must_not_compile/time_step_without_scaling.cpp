@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// riprap: a TimeStepRule must have double mass_scaling(double mass, double smallest) const
+// riprap: a TimeStep must have double mass_scaling(double mass, double smallest) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// riprap: a TimeStepRule must have double time_step(double mass, double stiffness) const
+// riprap: a TimeStep must have double time_step(double mass, double stiffness) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;
 

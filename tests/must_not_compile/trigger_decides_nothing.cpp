@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// riprap: a BreakageTrigger must have bool operator()(const FailureCount&) const
+// riprap: a Trigger must have bool operator()(const FailureCount&) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// riprap: failed_elements_needed of a BreakageTrigger must be std::size_t
+// riprap: failed_elements_needed of a Trigger must be std::size_t
 // failed_elements_needed(std::size_t elements) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

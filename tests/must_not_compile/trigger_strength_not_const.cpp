@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// riprap: strength_factor of a BreakageTrigger must be double strength_factor(ParticleId, double
+// riprap: strength_factor of a Trigger must be double strength_factor(ParticleId, double
 // area) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

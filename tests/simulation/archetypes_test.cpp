@@ -55,18 +55,18 @@ TEST_CASE("a whole simulation of archetypes breaks a square as the models behind
                               .execution(archetype::Execution{0})
                               .broad_phase(archetype::BroadPhase{0})
                               .narrow_phase(archetype::NarrowPhase{0})
-                              .contact(archetype::ContactLaw{0})
+                              .contact_law(archetype::ContactLaw{0})
                               .integrator(archetype::Integrator{0})
                               .damping(archetype::Damping{0})
                               .body_force(archetype::BodyForce{0})
-                              .time_step(archetype::TimeStepRule{0})
+                              .time_step(archetype::TimeStep{0})
                               .boundary(archetype::Boundary{0})
                               .mesher(archetype::Mesher{0})
                               .element(archetype::Element{0})
                               .plane_state(archetype::PlaneState{0})
                               .support(archetype::Support{0})
-                              .criterion(archetype::FailureCriterion{0})
-                              .trigger(archetype::BreakageTrigger{0})
+                              .criterion(archetype::Criterion{0})
+                              .trigger(archetype::Trigger{0})
                               .line_fit(archetype::LineFit{0})
                               .splitter(archetype::Splitter{0})
                               .inheritance(archetype::Inheritance{0});
@@ -81,17 +81,17 @@ TEST_CASE("an archetype gets on with shipped models in all other roles") {
   CHECK(crushed(shipped.execution(archetype::Execution{0})) == expected);
   CHECK(crushed(shipped.broad_phase(archetype::BroadPhase{0})) == expected);
   CHECK(crushed(shipped.narrow_phase(archetype::NarrowPhase{0})) == expected);
-  CHECK(crushed(shipped.contact(archetype::ContactLaw{0})) == expected);
+  CHECK(crushed(shipped.contact_law(archetype::ContactLaw{0})) == expected);
   CHECK(crushed(shipped.integrator(archetype::Integrator{0})) == expected);
   CHECK(crushed(shipped.damping(archetype::Damping{0})) == expected);
-  CHECK(crushed(shipped.time_step(archetype::TimeStepRule{0})) == expected);
+  CHECK(crushed(shipped.time_step(archetype::TimeStep{0})) == expected);
   CHECK(crushed(shipped.boundary(archetype::Boundary{0})) == expected);
   CHECK(crushed(shipped.mesher(archetype::Mesher{0})) == expected);
   CHECK(crushed(shipped.element(archetype::Element{0})) == expected);
   CHECK(crushed(shipped.plane_state(archetype::PlaneState{0})) == expected);
   CHECK(crushed(shipped.support(archetype::Support{0})) == expected);
-  CHECK(crushed(shipped.criterion(archetype::FailureCriterion{0})) == expected);
-  CHECK(crushed(shipped.trigger(archetype::BreakageTrigger{0})) == expected);
+  CHECK(crushed(shipped.criterion(archetype::Criterion{0})) == expected);
+  CHECK(crushed(shipped.trigger(archetype::Trigger{0})) == expected);
   CHECK(crushed(shipped.line_fit(archetype::LineFit{0})) == expected);
   CHECK(crushed(shipped.splitter(archetype::Splitter{0})) == expected);
   CHECK(crushed(shipped.inheritance(archetype::Inheritance{0})) == expected);

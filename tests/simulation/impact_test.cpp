@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include <riprap/contact/law/spring_dashpot.hpp>
+#include <riprap/contact/contact_law/spring_dashpot.hpp>
 #include <support/near.hpp>
 #include <support/polygons.hpp>
 #include <support/unbreakable.hpp>

@@ -5,7 +5,7 @@
 
 #include <concepts>
 
-#include <riprap/contact/law/no_contact_force.hpp>
+#include <riprap/contact/contact_law/no_contact_force.hpp>
 
 using namespace riprap;
 

@@ -23,7 +23,7 @@ struct Refused : P {
 
 TEST_CASE("a setter exchanges one policy and keeps the others with their settings") {
   const auto first = Model{}
-                         .contact(LinearSpringCoulomb{.friction = 0.25})
+                         .contact_law(LinearSpringCoulomb{.friction = 0.25})
                          .trigger(FailedElementRatio{.critical = 0.3})
                          .mesher(UniformMesher{.triangles = 60})
                          .check_every(7);
@@ -64,7 +64,7 @@ TEST_CASE("every setter puts its policy in its place") {
 }
 
 TEST_CASE("an invalid policy is named with its value and its rule") {
-  CHECK_THROWS_WITH_AS(Model{}.contact(LinearSpringCoulomb{.friction = -0.5}).validate(),
+  CHECK_THROWS_WITH_AS(Model{}.contact_law(LinearSpringCoulomb{.friction = -0.5}).validate(),
                        "LinearSpringCoulomb.friction = -0.5: must be a finite number, 0 or above",
                        InvalidInput);
   CHECK_THROWS_WITH_AS(Model{}.damping(LocalDamping{1.5}).validate(),
@@ -81,7 +81,7 @@ TEST_CASE("the parameters of the policy of every role are validated") {
   const auto refuses = [](const auto& model) { CHECK_THROWS_AS(model.validate(), InvalidInput); };
   refuses(Model{}.broad_phase(Refused<UniformGrid>{}));
   refuses(Model{}.narrow_phase(Refused<OverlapChord>{}));
-  refuses(Model{}.contact(Refused<LinearSpringCoulomb>{}));
+  refuses(Model{}.contact_law(Refused<LinearSpringCoulomb>{}));
   refuses(Model{}.integrator(Refused<SymplecticEuler>{}));
   refuses(Model{}.damping(Refused<LocalDamping>{}));
   refuses(Model{}.time_step(Refused<MassFloor>{}));

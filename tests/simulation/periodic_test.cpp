@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include <riprap/contact/law/overlap_area_spring.hpp>
+#include <riprap/contact/contact_law/overlap_area_spring.hpp>
 #include <riprap/dynamics/boundary/periodic_cell.hpp>
 #include <riprap/dynamics/damping/no_damping.hpp>
 #include <riprap/measurement/average_stress.hpp>
@@ -147,7 +147,8 @@ TEST_CASE("contact forces of a periodic sample add up to nothing") {
 TEST_CASE("the work of the cell is stress times strain, and the ledger closes") {
   // At rest first: in motion the momentum that bodies carry adds to the stress.
   auto sim = compressed_sample(
-      Model{}.criterion(NeverFails{}).boundary(PeriodicCell{}).contact(OverlapAreaSpring{}), 5e6);
+      Model{}.criterion(NeverFails{}).boundary(PeriodicCell{}).contact_law(OverlapAreaSpring{}),
+      5e6);
   sim.boundary().set_rate(0, 0);
   for (int n = 0; n < 3700; ++n) sim.step();
   REQUIRE(stress(sim).mean() > 1e6);

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 #include <vector>
 
-#include <riprap/contact/law/spring_dashpot.hpp>
+#include <riprap/contact/contact_law/spring_dashpot.hpp>
 #include <support/near.hpp>
 #include <support/rectangle.hpp>
 #include <support/unbreakable.hpp>

@@ -346,7 +346,7 @@ TEST_CASE("a square rests on a floor at its weight over the stiffness, however s
                                     .tangential_stiffness = stiffness};
       const Assembly resting{.particles = {{square.moved({}, {place, 0})},
                                            {floor.moved({}, {place, 0}), Motion::prescribed}}};
-      Simulation sim{crushing_model().criterion(NeverFails{}).contact(law), resting, Rock{}};
+      Simulation sim{crushing_model().criterion(NeverFails{}).contact_law(law), resting, Rock{}};
       sim.set_body_force({0, -9.81});
       for (int i = 0; i < 20'000; ++i) sim.step();
       const double weight = 9.81 * sim.particles().body(0).mass;

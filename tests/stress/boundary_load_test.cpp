@@ -8,8 +8,8 @@
 #include <riprap/stress/assemble_and_solve.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
 #include <riprap/stress/influence_operator.hpp>
-#include <riprap/stress/mesh/fan_mesher.hpp>
-#include <riprap/stress/mesh/uniform_mesher.hpp>
+#include <riprap/stress/mesher/fan_mesher.hpp>
+#include <riprap/stress/mesher/uniform_mesher.hpp>
 #include <riprap/stress/plane_state/plane_stress.hpp>
 #include <support/message_of.hpp>
 #include <support/polygons.hpp>

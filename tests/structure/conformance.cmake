@@ -5,9 +5,6 @@
 cmake_policy(VERSION 3.21)
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
 
-# Folders whose axioms have another name.
-set(role_of_law contact_law)
-set(role_of_mesh mesher)
 # Their axiom is the same: no result depends on them.
 foreach(role neighbour_list detection screening operator_store)
   set(role_of_${role} acceleration)

@@ -121,7 +121,7 @@ struct Damping : Copyable {
   }
 };
 
-struct TimeStepRule : Copyable {
+struct TimeStep : Copyable {
   using Copyable::Copyable;
   Gives<double> time_step(Takes<double> mass, Takes<double> stiffness) const {
     return Gives(MassFloor{}.time_step(mass.get(), stiffness.get()));
@@ -196,7 +196,7 @@ struct Support : Copyable {
   }
 };
 
-struct FailureCriterion : Copyable {
+struct Criterion : Copyable {
   using Copyable::Copyable;
   Gives<double> major_stress_at_failure(Takes<double> minor) const {
     return Gives(HoekBrown{}.major_stress_at_failure(minor.get()));
@@ -204,7 +204,7 @@ struct FailureCriterion : Copyable {
   Gives<double> tensile_strength() const { return Gives(HoekBrown{}.tensile_strength()); }
 };
 
-struct BreakageTrigger : Copyable {
+struct Trigger : Copyable {
   using Copyable::Copyable;
   Gives<bool> operator()(Takes<FailureCount> failures) const {
     return Gives(FailedElementRatio{}(failures.get()));

@@ -9,7 +9,7 @@
 #include <riprap/stress/boundary_load.hpp>
 #include <riprap/stress/boundary_locator.hpp>
 #include <riprap/stress/element_stress.hpp>
-#include <riprap/stress/mesh/uniform_mesher.hpp>
+#include <riprap/stress/mesher/uniform_mesher.hpp>
 #include <support/polygons.hpp>
 
 namespace riprap::test {

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include <riprap/stress/mesh/concepts.hpp>
+#include <riprap/stress/mesher/concepts.hpp>
 
 namespace riprap::test {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <riprap/contact/concepts.hpp>
-#include <riprap/contact/law/concepts.hpp>
+#include <riprap/contact/contact_law/concepts.hpp>
 #include <riprap/particle/particles.hpp>
 
 namespace riprap::test {

@@ -12,7 +12,7 @@
 #include <riprap/stress/boundary_load.hpp>
 #include <riprap/stress/element_stress.hpp>
 #include <riprap/stress/influence_operator.hpp>
-#include <riprap/stress/mesh/uniform_mesher.hpp>
+#include <riprap/stress/mesher/uniform_mesher.hpp>
 
 namespace riprap::test {
 

@@ -13,7 +13,7 @@
 
 #include <riprap/geometry/convex_polygon.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
-#include <riprap/stress/mesh/mesh.hpp>
+#include <riprap/stress/mesher/mesh.hpp>
 
 namespace riprap::test {
 

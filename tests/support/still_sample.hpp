@@ -10,8 +10,8 @@
 #include <vector>
 
 #include <riprap/contact/broad_phase/uniform_grid.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/contact/contact_list.hpp>
-#include <riprap/contact/law/linear_spring_coulomb.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/dynamics/body_force/uniform_body_force.hpp>
 #include <riprap/dynamics/boundary/strain_field.hpp>

@@ -15,7 +15,7 @@ namespace riprap::test {
 /// With local damping, to come to rest.
 template <ContactLaw Law>
 [[nodiscard]] auto damped(const Law& law) {
-  return Model{}.criterion(NeverFails{}).boundary(NoBoundary{}).contact(law);
+  return Model{}.criterion(NeverFails{}).boundary(NoBoundary{}).contact_law(law);
 }
 
 /// Without damping: what is left is Newton's law and the contact law.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
 
-#include <riprap/contact/law/coulomb_slip.hpp>
+#include <riprap/contact/contact_law/coulomb_slip.hpp>
 #include <riprap/dynamics/damping/no_damping.hpp>
 #include <riprap/simulation/simulation.hpp>
 using namespace riprap;
@@ -27,7 +27,7 @@ int main() {
   const ConvexPolygon wall{{0.01601, -0.01}, {0.03, -0.01}, {0.03, 0.026}, {0.01601, 0.026}};
   const Assembly thrown{
       .particles = {{square, Motion::free, Vec2{0.2, 0}}, {wall, Motion::prescribed}}};
-  Simulation sim{Model{}.contact(HertzianSpring{}).damping(NoDamping{}).criterion(NeverFails{}),
+  Simulation sim{Model{}.contact_law(HertzianSpring{}).damping(NoDamping{}).criterion(NeverFails{}),
                  thrown, Rock{}};
   for (int i = 0; i < 400; ++i) sim.step();
   const double speed = sim.particles().body(0).velocity.x();

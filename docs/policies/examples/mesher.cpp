@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include <riprap/simulation/simulation.hpp>
-#include <riprap/stress/mesh/fan_mesher.hpp>
+#include <riprap/stress/mesher/fan_mesher.hpp>
 using namespace riprap;
 
 struct Refined {  // a coarse fan, each triangle cut in three at its own centroid

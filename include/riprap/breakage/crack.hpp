@@ -15,7 +15,7 @@
 #include <riprap/geometry/cut.hpp>
 #include <riprap/particle/body.hpp>
 #include <riprap/stress/element_stress.hpp>
-#include <riprap/stress/mesh/mesh.hpp>
+#include <riprap/stress/mesher/mesh.hpp>
 
 namespace riprap {
 
@@ -28,7 +28,7 @@ struct Crack {
 };
 
 /// Centroids of the failed elements with their weights 1/SF, in laboratory axes.
-template <FailureCriterion C>
+template <Criterion C>
 [[nodiscard]] std::vector<WeightedPoint>
 failed_points(const C& criterion, const Mesh& mesh, const ElementStress& stress, const Body& body) {
   std::vector<WeightedPoint> points;

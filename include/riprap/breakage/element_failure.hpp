@@ -54,7 +54,7 @@ namespace internal {
 /// above that band sigma_1f is small and the ratio, as eq. 2 has it, falls towards 0: one such
 /// element can outweigh all others in the line fit.
 /// Throws InvalidInput for a stress, or a strength of the criterion, that is not a number.
-template <FailureCriterion C>
+template <Criterion C>
 [[nodiscard]] ElementFailure evaluate(const C& criterion, const Stress2& stress) {
   const auto [major, minor] = stress.principal_values();
   // Any component that is not finite makes the difference NaN or infinite.
@@ -92,7 +92,7 @@ struct FailurePlanes {
 
 /// Eq. 6 and Fig. 2 put right: a tensile crack runs across the largest tension, along the major
 /// direction; shear planes lie at +-(pi/4 - phi/2) from the major direction.
-template <FailureCriterion C>
+template <Criterion C>
 [[nodiscard]] FailurePlanes failure_planes(const C& criterion, const Stress2& stress,
                                            FailureMode mode) {
   const PrincipalStress principal = stress.principal();

@@ -26,7 +26,7 @@ struct FailureCount {
 };
 
 /// Evaluates the criterion in every element. Throws InvalidInput for a stress that is not finite.
-template <FailureCriterion C>
+template <Criterion C>
 [[nodiscard]] FailureCount count_failures(const C& criterion, const ElementStress& stress) {
   FailureCount failures{.elements = stress.size()};
   for (std::size_t e = 0; e < stress.size(); ++e) {

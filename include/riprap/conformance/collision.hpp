@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <riprap/contact/law/concepts.hpp>
+#include <riprap/contact/contact_law/concepts.hpp>
 
 namespace riprap {
 

@@ -12,8 +12,8 @@
 #include <riprap/conformance/collision.hpp>
 #include <riprap/conformance/units.hpp>
 #include <riprap/conformance/violations.hpp>
-#include <riprap/contact/law/concepts.hpp>
-#include <riprap/contact/law/frictionless.hpp>
+#include <riprap/contact/contact_law/concepts.hpp>
+#include <riprap/contact/contact_law/frictionless.hpp>
 
 namespace riprap {
 namespace internal {

@@ -17,7 +17,7 @@ namespace riprap {
 /// times that in compression. A criterion that never fails has none; where the major stress at
 /// failure is infinite (failure in tension only) those about the curve are left out.
 /// @param uniaxial the compressive strength that it is meant to have [Pa]; NaN: none in particular
-template <FailureCriterion C>
+template <Criterion C>
 [[nodiscard]] Violations
 criterion_violations(const C& criterion,
                      double uniaxial = std::numeric_limits<double>::quiet_NaN()) {
@@ -58,7 +58,7 @@ criterion_violations(const C& criterion,
 
 /// Which results change, beyond their unit, when the same criterion is written in other units.
 /// @param other `criterion` with its parameters in `units`
-template <FailureCriterion C>
+template <Criterion C>
 [[nodiscard]] Violations criterion_unit_violations(const C& criterion, const C& other,
                                                    const Units& units = {}) {
   AxiomCheck check;

@@ -14,7 +14,7 @@
 #include <riprap/core/random.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
 #include <riprap/geometry/random_polygon.hpp>
-#include <riprap/stress/mesh/concepts.hpp>
+#include <riprap/stress/mesher/concepts.hpp>
 
 namespace riprap {
 namespace internal {

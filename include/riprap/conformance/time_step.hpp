@@ -14,7 +14,7 @@ namespace riprap {
 
 /// Which axioms a time-step rule breaks where the smallest intact particle has `mass` [kg] and the
 /// contact law's peak stiffness is `stiffness` [N/m].
-template <TimeStepRule Rule>
+template <TimeStep Rule>
 [[nodiscard]] Violations time_step_violations(const Rule& rule, double mass = 4e-3,
                                               double stiffness = 2e7) {
   AxiomCheck check;

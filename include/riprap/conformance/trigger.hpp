@@ -14,7 +14,7 @@
 namespace riprap {
 
 /// Which axioms a trigger breaks, for particles of 50 to 200 elements and about `mean_area` [m^2].
-template <BreakageTrigger T>
+template <Trigger T>
 [[nodiscard]] Violations trigger_violations(const T& trigger, double mean_area = 2e-4) {
   AxiomCheck check;
   for (const unsigned elements : {50u, 100u, 200u}) {

@@ -8,8 +8,8 @@
 #include <span>
 
 #include <riprap/contact/contact.hpp>
+#include <riprap/contact/contact_law/concepts.hpp>
 #include <riprap/contact/domain.hpp>
-#include <riprap/contact/law/concepts.hpp>
 #include <riprap/contact/task_partition.hpp>
 #include <riprap/particle/particles.hpp>
 

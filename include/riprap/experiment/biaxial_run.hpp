@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <riprap/contact/law/frictionless.hpp>
+#include <riprap/contact/contact_law/frictionless.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/experiment/biaxial_result.hpp>
 #include <riprap/experiment/pressure_servo.hpp>

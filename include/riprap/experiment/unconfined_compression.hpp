@@ -16,7 +16,7 @@
 #include <riprap/experiment/unconfined_result.hpp>
 #include <riprap/geometry/convex_polygon.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
-#include <riprap/stress/mesh/uniform_mesher.hpp>
+#include <riprap/stress/mesher/uniform_mesher.hpp>
 #include <riprap/stress/plane_state/plane_stress.hpp>
 #include <riprap/stress/prescribed_displacement.hpp>
 
@@ -49,7 +49,7 @@ struct UnconfinedCompression {
   }
 
   /// Throws InvalidInput, for a criterion without a finite strength above 0 as well.
-  template <FailureCriterion C, Mesher M = UniformMesher, PlaneState P = PlaneStress,
+  template <Criterion C, Mesher M = UniformMesher, PlaneState P = PlaneStress,
             Element E = ConstantStrainTriangle>
   [[nodiscard]] UnconfinedResult run(const Rock& rock, const C& criterion,
                                      const M& mesher = M{.triangles = 1000}, const P& plane = P{},

@@ -14,7 +14,7 @@
 #include <riprap/breakage/crack.hpp>
 #include <riprap/breakage/failure_count.hpp>
 #include <riprap/stress/element_stress.hpp>
-#include <riprap/stress/mesh/mesh.hpp>
+#include <riprap/stress/mesher/mesh.hpp>
 
 namespace riprap {
 
@@ -60,7 +60,7 @@ struct UnconfinedResult {
 };
 
 /// The line through the failed elements that the fit draws; none where nothing failed.
-template <FailureCriterion C, LineFit F>
+template <Criterion C, LineFit F>
 [[nodiscard]] std::optional<Line> failure_line(const UnconfinedResult& result, const C& criterion,
                                                const F& fit) {
   if (result.failures.failed == 0) return std::nullopt;

@@ -34,7 +34,7 @@ struct Model {
 
   /// How contacts turn geometry and motion into forces.
   template <class P>
-  [[nodiscard]] auto contact(P policy) const {
+  [[nodiscard]] auto contact_law(P policy) const {
     return with_contact<check_contact_law<P>()>([&](const auto& m) {
       return ContactModel{m.broad_phase, m.narrow_phase, std::move(policy)};
     });

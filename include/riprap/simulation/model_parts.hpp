@@ -10,7 +10,7 @@
 #include <riprap/breakage/splitter/straight_cut.hpp>
 #include <riprap/breakage/trigger/failed_element_ratio.hpp>
 #include <riprap/contact/broad_phase/uniform_grid.hpp>
-#include <riprap/contact/law/linear_spring_coulomb.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/dynamics/body_force/uniform_body_force.hpp>
 #include <riprap/dynamics/boundary/strain_field.hpp>
@@ -19,31 +19,31 @@
 #include <riprap/dynamics/time_step/mass_floor.hpp>
 #include <riprap/simulation/default_acceleration.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
-#include <riprap/stress/mesh/uniform_mesher.hpp>
+#include <riprap/stress/mesher/uniform_mesher.hpp>
 #include <riprap/stress/plane_state/plane_stress.hpp>
 #include <riprap/stress/support/inertia_relief.hpp>
 
 namespace riprap {
 
 /// From poses to contact forces.
-template <BroadPhase Broad = UniformGrid, NarrowPhase Narrow = OverlapChord,
-          ContactLaw Law = LinearSpringCoulomb>
+template <BroadPhase BroadT = UniformGrid, NarrowPhase NarrowT = OverlapChord,
+          ContactLaw LawT = LinearSpringCoulomb>
 struct ContactModel {
-  Broad broad_phase{};
-  Narrow narrow_phase{};
-  Law law{};
+  BroadT broad_phase{};
+  NarrowT narrow_phase{};
+  LawT law{};
 };
 template <class B, class N, class L>
 ContactModel(B, N, L) -> ContactModel<B, N, L>;
 
 /// From forces to motion.
 template <Integrator IntegratorT = SymplecticEuler, Damping DampingT = LocalDamping,
-          TimeStepRule Step = MassFloor, Boundary BoundaryT = StrainField,
+          TimeStep TimeStepT = MassFloor, Boundary BoundaryT = StrainField,
           BodyForce BodyForceT = UniformBodyForce>
 struct MotionModel {
   IntegratorT integrator{};
   DampingT damping{};
-  Step time_step{};
+  TimeStepT time_step{};
   BoundaryT boundary{};
   BodyForceT body_force{};
 };
@@ -51,28 +51,29 @@ template <class I, class D, class T, class B, class F>
 MotionModel(I, D, T, B, F) -> MotionModel<I, D, T, B, F>;
 
 /// From contact forces to the stress in every triangle of a particle.
-template <Mesher Meshing = UniformMesher, Element ElementT = ConstantStrainTriangle,
-          PlaneState Plane = PlaneStress, Support SupportT = InertiaRelief>
+template <Mesher MesherT = UniformMesher, Element ElementT = ConstantStrainTriangle,
+          PlaneState PlaneStateT = PlaneStress, Support SupportT = InertiaRelief>
 struct StressModel {
-  Meshing mesher{};
+  MesherT mesher{};
   ElementT element{};
-  Plane plane_state{};
+  PlaneStateT plane_state{};
   SupportT support{};
 };
 template <class M, class E, class P, class S>
 StressModel(M, E, P, S) -> StressModel<M, E, P, S>;
 
 /// Has it failed, along which line, into which pieces.
-template <FailureCriterion Criterion = HoekBrown, BreakageTrigger Trigger = FailedElementRatio,
-          LineFit Fit = WeightedXY, Splitter Split = StraightCut, Inheritance Inherit = RigidField>
+template <Criterion CriterionT = HoekBrown, Trigger TriggerT = FailedElementRatio,
+          LineFit LineFitT = WeightedXY, Splitter SplitterT = StraightCut,
+          Inheritance InheritanceT = RigidField>
 struct BreakageModel {
-  static constexpr bool never_fails = riprap::never_fails<Criterion>;
+  static constexpr bool never_fails = riprap::never_fails<CriterionT>;
 
-  Criterion criterion{};
-  Trigger trigger{};
-  Fit line_fit{};
-  Split splitter{};
-  Inherit inheritance{};
+  CriterionT criterion{};
+  TriggerT trigger{};
+  LineFitT line_fit{};
+  SplitterT splitter{};
+  InheritanceT inheritance{};
   unsigned check_every = 1;  ///< steps between checks
 };
 template <class C, class T, class F, class S, class I>

@@ -22,7 +22,7 @@
 #include <riprap/stress/boundary_load.hpp>
 #include <riprap/stress/element/concepts.hpp>
 #include <riprap/stress/element_stress.hpp>
-#include <riprap/stress/mesh/mesh.hpp>
+#include <riprap/stress/mesher/mesh.hpp>
 #include <riprap/stress/plane_state/concepts.hpp>
 
 namespace riprap {

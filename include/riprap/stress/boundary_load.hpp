@@ -4,7 +4,7 @@
 /// A contact force on the boundary of a particle's mesh.
 
 #include <riprap/core/errors.hpp>
-#include <riprap/stress/mesh/mesh.hpp>
+#include <riprap/stress/mesher/mesh.hpp>
 
 namespace riprap {
 

@@ -12,7 +12,7 @@
 
 #include <riprap/core/linkage.hpp>
 #include <riprap/core/vec2.hpp>
-#include <riprap/stress/mesh/mesh.hpp>
+#include <riprap/stress/mesher/mesh.hpp>
 
 namespace riprap {
 

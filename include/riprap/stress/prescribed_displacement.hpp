@@ -17,7 +17,7 @@
 #include <riprap/material/rock.hpp>
 #include <riprap/stress/element/concepts.hpp>
 #include <riprap/stress/element_stress.hpp>
-#include <riprap/stress/mesh/mesh.hpp>
+#include <riprap/stress/mesher/mesh.hpp>
 #include <riprap/stress/plane_state/concepts.hpp>
 
 namespace riprap {

@@ -32,7 +32,7 @@ TEST_CASE("a particle far from breaking is evaluated once while its loads stay a
   trigger.asked = &asked;
   const auto model = Model{}.trigger(trigger);
   // A hundredth of the forces that break the squares.
-  const Simulation sim{model.contact(LinearSpringCoulomb{.normal_stiffness = 2e5}), crushed,
+  const Simulation sim{model.contact_law(LinearSpringCoulomb{.normal_stiffness = 2e5}), crushed,
                        Rock{}};
   Pass pass(model);
   const auto find = [&] { return pass.find(sim).size(); };
@@ -55,7 +55,7 @@ int screened(const Support& support) {
   CountingTrigger trigger;
   trigger.asked = &asked;
   const auto model = Model{}.trigger(trigger).support(support);
-  const Simulation sim{model.contact(LinearSpringCoulomb{.normal_stiffness = 2e5}), crushed,
+  const Simulation sim{model.contact_law(LinearSpringCoulomb{.normal_stiffness = 2e5}), crushed,
                        Rock{}};
   Pass pass(model);
   CHECK(pass.find(sim).empty());

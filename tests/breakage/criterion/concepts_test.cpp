@@ -35,53 +35,53 @@ struct Parabola {
   double tensile_strength() const { return strength; }
 };
 
-struct WithoutTensileStrength : archetype::FailureCriterion {
+struct WithoutTensileStrength : archetype::Criterion {
   void tensile_strength(int) const {}
 };
-struct WithoutCurve : archetype::FailureCriterion {
+struct WithoutCurve : archetype::Criterion {
   void major_stress_at_failure() const {}
 };
-struct NotConst : archetype::FailureCriterion {
+struct NotConst : archetype::Criterion {
   double tensile_strength() { return 1; }
 };
-struct ChangesTheStress : archetype::FailureCriterion {
+struct ChangesTheStress : archetype::Criterion {
   double major_stress_at_failure(double& minor) const { return minor; }
 };
-struct AngleIsNotConst : archetype::FailureCriterion {
+struct AngleIsNotConst : archetype::Criterion {
   double friction_angle(double) { return 0; }
 };
-struct AngleIsNoNumber : archetype::FailureCriterion {
+struct AngleIsNoNumber : archetype::Criterion {
   Vec2 friction_angle(double) const { return {1, 0}; }
 };
 struct SaysThatItCanFail : StraightLine {
   static constexpr bool never_fails = false;
 };
-struct CurveIsNotConst : archetype::FailureCriterion {
+struct CurveIsNotConst : archetype::Criterion {
   double major_stress_at_failure(double minor) { return minor; }
 };
-struct CurveIsNoNumber : archetype::FailureCriterion {
+struct CurveIsNoNumber : archetype::Criterion {
   Vec2 major_stress_at_failure(double minor) const { return {minor, 0}; }
 };
-struct TensionIsNoNumber : archetype::FailureCriterion {
+struct TensionIsNoNumber : archetype::Criterion {
   Vec2 tensile_strength() const { return {1, 0}; }
 };
-struct AngleChangesTheStress : archetype::FailureCriterion {
+struct AngleChangesTheStress : archetype::Criterion {
   double friction_angle(double& minor) const { return minor; }
 };
 
-static_assert(FailureCriterion<archetype::FailureCriterion>);
-static_assert(FailureCriterion<StraightLine>);
-static_assert(FailureCriterion<Parabola>);
-static_assert(!FailureCriterion<WithoutTensileStrength>);
-static_assert(!FailureCriterion<WithoutCurve>);
-static_assert(!FailureCriterion<NotConst>);
-static_assert(!FailureCriterion<ChangesTheStress>);
-static_assert(!FailureCriterion<AngleIsNotConst>);
-static_assert(!FailureCriterion<AngleIsNoNumber>);
-static_assert(!FailureCriterion<CurveIsNotConst>);
-static_assert(!FailureCriterion<CurveIsNoNumber>);
-static_assert(!FailureCriterion<TensionIsNoNumber>);
-static_assert(!FailureCriterion<AngleChangesTheStress>);
+static_assert(Criterion<archetype::Criterion>);
+static_assert(Criterion<StraightLine>);
+static_assert(Criterion<Parabola>);
+static_assert(!Criterion<WithoutTensileStrength>);
+static_assert(!Criterion<WithoutCurve>);
+static_assert(!Criterion<NotConst>);
+static_assert(!Criterion<ChangesTheStress>);
+static_assert(!Criterion<AngleIsNotConst>);
+static_assert(!Criterion<AngleIsNoNumber>);
+static_assert(!Criterion<CurveIsNotConst>);
+static_assert(!Criterion<CurveIsNoNumber>);
+static_assert(!Criterion<TensionIsNoNumber>);
+static_assert(!Criterion<AngleChangesTheStress>);
 static_assert(!never_fails<StraightLine>);
 static_assert(!never_fails<SaysThatItCanFail>);
 

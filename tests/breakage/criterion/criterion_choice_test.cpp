@@ -17,7 +17,7 @@ namespace {
 
 using Choice = CriterionChoice<HoekBrown, MohrCoulomb, Franklin, NeverFails>;
 
-static_assert(FailureCriterion<Choice>);
+static_assert(Criterion<Choice>);
 // The choice is made at run time, so the stress analysis must be compiled in.
 static_assert(!never_fails<Choice>);
 

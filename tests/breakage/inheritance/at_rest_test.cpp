@@ -25,7 +25,7 @@ struct AroundSplit {
 }  // namespace
 
 TEST_CASE("pieces start at rest, and the ledger books the kinetic energy that they lack") {
-  const auto smooth = Model{}.contact(LinearSpringCoulomb{.friction = 0}).damping(NoDamping{});
+  const auto smooth = Model{}.contact_law(LinearSpringCoulomb{.friction = 0}).damping(NoDamping{});
   const auto crush = [](const auto& model, AroundSplit& around) {
     Simulation sim{model.boundary(NoBoundary{}), test::square_between_platens(0.2), Rock{}};
     // Adrift between smooth platens.

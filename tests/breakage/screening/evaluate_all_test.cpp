@@ -25,7 +25,7 @@ TEST_CASE("every loaded particle is evaluated at every check") {
   CountingCriterion criterion;
   criterion.evaluations = &evaluations;
   const auto model = Model{}.criterion(criterion).screening(EvaluateAll{});
-  const Simulation sim{model.contact(LinearSpringCoulomb{.normal_stiffness = 2e5}), crushed,
+  const Simulation sim{model.contact_law(LinearSpringCoulomb{.normal_stiffness = 2e5}), crushed,
                        Rock{}};
   Pass pass(model);
   evaluations = 0;

@@ -11,59 +11,59 @@ namespace archetype = riprap::test::archetype;
 
 namespace {
 
-struct NotCallable : archetype::BreakageTrigger {
+struct NotCallable : archetype::Trigger {
   void operator()() const {}
 };
-struct NotConst : archetype::BreakageTrigger {
+struct NotConst : archetype::Trigger {
   bool operator()(const FailureCount&) { return true; }
 };
-struct DecidesNothing : archetype::BreakageTrigger {
+struct DecidesNothing : archetype::Trigger {
   void operator()(const FailureCount&) const {}
 };
-struct ChangesTheTally : archetype::BreakageTrigger {
+struct ChangesTheTally : archetype::Trigger {
   bool operator()(FailureCount&) const { return true; }
 };
-struct StrengthIsNotConst : archetype::BreakageTrigger {
+struct StrengthIsNotConst : archetype::Trigger {
   double strength_factor(ParticleId, double) { return 1; }
 };
-struct StrengthIsNoNumber : archetype::BreakageTrigger {
+struct StrengthIsNoNumber : archetype::Trigger {
   Vec2 strength_factor(ParticleId, double) const { return {1, 1}; }
 };
-struct StrengthChangesTheId : archetype::BreakageTrigger {
+struct StrengthChangesTheId : archetype::Trigger {
   double strength_factor(ParticleId&, double) const { return 1; }
 };
-struct StrengthChangesTheArea : archetype::BreakageTrigger {
+struct StrengthChangesTheArea : archetype::Trigger {
   double strength_factor(ParticleId, double&) const { return 1; }
 };
-struct NeededIsNotConst : archetype::BreakageTrigger {
+struct NeededIsNotConst : archetype::Trigger {
   std::size_t failed_elements_needed(std::size_t) { return 1; }
 };
-struct NeededIsNoNumber : archetype::BreakageTrigger {
+struct NeededIsNoNumber : archetype::Trigger {
   Vec2 failed_elements_needed(std::size_t) const { return {1, 1}; }
 };
-struct NeededChangesTheElements : archetype::BreakageTrigger {
+struct NeededChangesTheElements : archetype::Trigger {
   std::size_t failed_elements_needed(std::size_t&) const { return 1; }
 };
 
-static_assert(BreakageTrigger<archetype::BreakageTrigger>);
-static_assert(!BreakageTrigger<NotCallable>);
-static_assert(!BreakageTrigger<NotConst>);
-static_assert(!BreakageTrigger<DecidesNothing>);
-static_assert(!BreakageTrigger<ChangesTheTally>);
-static_assert(!BreakageTrigger<StrengthIsNotConst>);
-static_assert(!BreakageTrigger<StrengthIsNoNumber>);
-static_assert(!BreakageTrigger<StrengthChangesTheId>);
-static_assert(!BreakageTrigger<StrengthChangesTheArea>);
-static_assert(!BreakageTrigger<NeededIsNotConst>);
-static_assert(!BreakageTrigger<NeededIsNoNumber>);
-static_assert(!BreakageTrigger<NeededChangesTheElements>);
+static_assert(Trigger<archetype::Trigger>);
+static_assert(!Trigger<NotCallable>);
+static_assert(!Trigger<NotConst>);
+static_assert(!Trigger<DecidesNothing>);
+static_assert(!Trigger<ChangesTheTally>);
+static_assert(!Trigger<StrengthIsNotConst>);
+static_assert(!Trigger<StrengthIsNoNumber>);
+static_assert(!Trigger<StrengthChangesTheId>);
+static_assert(!Trigger<StrengthChangesTheArea>);
+static_assert(!Trigger<NeededIsNotConst>);
+static_assert(!Trigger<NeededIsNoNumber>);
+static_assert(!Trigger<NeededChangesTheElements>);
 
 }  // namespace
 
 TEST_CASE("a lambda is a trigger, and so is a function") {
   const auto five = [](const FailureCount& failures) { return failures.failed >= 5; };
-  CHECK(BreakageTrigger<decltype(five)>);
-  CHECK(BreakageTrigger<bool (*)(const FailureCount&)>);
+  CHECK(Trigger<decltype(five)>);
+  CHECK(Trigger<bool (*)(const FailureCount&)>);
 }
 
 // All ratios of whole numbers up to 130, and numbers just beside them.

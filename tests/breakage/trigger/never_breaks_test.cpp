@@ -8,7 +8,7 @@
 using namespace riprap;
 
 // Elements are still evaluated, so that Rat can be watched: unlike NeverFails it is no criterion.
-static_assert(!FailureCriterion<NeverBreaks>);
+static_assert(!Criterion<NeverBreaks>);
 
 TEST_CASE("not even a particle all of whose elements have failed breaks") {
   CHECK_FALSE(NeverBreaks{}({.elements = 100, .failed = 100, .lowest_safety_factor = 1e-9}));

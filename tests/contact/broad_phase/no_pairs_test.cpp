@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/contact/contact_list.hpp>
-#include <riprap/contact/law/linear_spring_coulomb.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <support/rectangle.hpp>
 

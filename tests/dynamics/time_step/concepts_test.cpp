@@ -10,48 +10,48 @@ namespace archetype = riprap::test::archetype;
 
 namespace {
 
-struct WithoutStep : archetype::TimeStepRule {
+struct WithoutStep : archetype::TimeStep {
   void time_step() const {}
 };
-struct WithoutScaling : archetype::TimeStepRule {
+struct WithoutScaling : archetype::TimeStep {
   void mass_scaling() const {}
 };
-struct NotConst : archetype::TimeStepRule {
+struct NotConst : archetype::TimeStep {
   double time_step(double, double) { return 1; }
 };
-struct ChangesTheMass : archetype::TimeStepRule {
+struct ChangesTheMass : archetype::TimeStep {
   double mass_scaling(double&, double) const { return 1; }
 };
-struct StepIsNoNumber : archetype::TimeStepRule {
+struct StepIsNoNumber : archetype::TimeStep {
   Vec2 time_step(double, double) const { return {0, 0}; }
 };
-struct StepChangesTheMass : archetype::TimeStepRule {
+struct StepChangesTheMass : archetype::TimeStep {
   double time_step(double&, double) const { return 1; }
 };
-struct StepChangesTheStiffness : archetype::TimeStepRule {
+struct StepChangesTheStiffness : archetype::TimeStep {
   double time_step(double, double&) const { return 1; }
 };
-struct ScalingIsNotConst : archetype::TimeStepRule {
+struct ScalingIsNotConst : archetype::TimeStep {
   double mass_scaling(double, double) { return 1; }
 };
-struct ScalingIsNoNumber : archetype::TimeStepRule {
+struct ScalingIsNoNumber : archetype::TimeStep {
   Vec2 mass_scaling(double, double) const { return {1, 1}; }
 };
-struct ScalingChangesTheSmallest : archetype::TimeStepRule {
+struct ScalingChangesTheSmallest : archetype::TimeStep {
   double mass_scaling(double, double&) const { return 1; }
 };
 
-static_assert(TimeStepRule<archetype::TimeStepRule>);
-static_assert(!TimeStepRule<WithoutStep>);
-static_assert(!TimeStepRule<WithoutScaling>);
-static_assert(!TimeStepRule<NotConst>);
-static_assert(!TimeStepRule<ChangesTheMass>);
-static_assert(!TimeStepRule<StepIsNoNumber>);
-static_assert(!TimeStepRule<StepChangesTheMass>);
-static_assert(!TimeStepRule<StepChangesTheStiffness>);
-static_assert(!TimeStepRule<ScalingIsNotConst>);
-static_assert(!TimeStepRule<ScalingIsNoNumber>);
-static_assert(!TimeStepRule<ScalingChangesTheSmallest>);
+static_assert(TimeStep<archetype::TimeStep>);
+static_assert(!TimeStep<WithoutStep>);
+static_assert(!TimeStep<WithoutScaling>);
+static_assert(!TimeStep<NotConst>);
+static_assert(!TimeStep<ChangesTheMass>);
+static_assert(!TimeStep<StepIsNoNumber>);
+static_assert(!TimeStep<StepChangesTheMass>);
+static_assert(!TimeStep<StepChangesTheStiffness>);
+static_assert(!TimeStep<ScalingIsNotConst>);
+static_assert(!TimeStep<ScalingIsNoNumber>);
+static_assert(!TimeStep<ScalingChangesTheSmallest>);
 
 }  // namespace
 
@@ -60,5 +60,5 @@ TEST_CASE("a fixed time step without mass scaling is a rule") {
     double time_step(double, double) const { return 1e-6; }
     double mass_scaling(double, double) const { return 1; }
   };
-  CHECK(TimeStepRule<Fixed>);
+  CHECK(TimeStep<Fixed>);
 }

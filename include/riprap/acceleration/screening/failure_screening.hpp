@@ -26,7 +26,7 @@ namespace riprap {
 class MohrRadiusTable {
  public:
   MohrRadiusTable() = default;
-  template <FailureCriterion C>
+  template <Criterion C>
   [[nodiscard]] static MohrRadiusTable of(const C& criterion) {
     MohrRadiusTable radii;
     radii.tabulate(criterion);

@@ -17,21 +17,21 @@ namespace requirements {
 /// `criterion.major_stress_at_failure(minor)` [Pa]: sigma_1f for a given sigma_3; must rise at
 /// least as fast as sigma_3 does. Safety factor, mode and friction angle all derive from it.
 template <class C>
-concept FailureCriterionCurve = requires(const C& criterion, const double minor) {
+concept CriterionCurve = requires(const C& criterion, const double minor) {
   { criterion.major_stress_at_failure(minor) } -> std::convertible_to<double>;
 };
 
 /// `criterion.tensile_strength()` [Pa], positive: an element fails in tension where
 /// sigma_3 <= -tensile_strength. Required because the curve need not end in its own apex.
 template <class C>
-concept FailureCriterionTension = requires(const C& criterion) {
+concept CriterionTension = requires(const C& criterion) {
   { criterion.tensile_strength() } -> std::convertible_to<double>;
 };
 
 /// Optional: `criterion.friction_angle(minor)` [rad]; else it follows from the slope of the curve.
 /// A non-const function would be ignored silently.
 template <class C>
-concept FailureCriterionAngle = !requires(C& criterion, double minor) {
+concept CriterionAngle = !requires(C& criterion, double minor) {
   criterion.friction_angle(minor);
 } || requires(const C& criterion, const double minor) {
   { criterion.friction_angle(minor) } -> std::convertible_to<double>;
@@ -39,26 +39,24 @@ concept FailureCriterionAngle = !requires(C& criterion, double minor) {
 
 }  // namespace requirements
 
-/// A `FailureCriterion` is a curve in the plane of the principal stresses, compression positive.
+/// A `Criterion` is a curve in the plane of the principal stresses, compression positive.
 ///
 /// Optional: `C::never_fails == true`, and the stress analysis is left out of the program.
 template <class C>
-concept FailureCriterion =
-    Policy<C> && requirements::FailureCriterionCurve<C> &&
-    requirements::FailureCriterionTension<C> && requirements::FailureCriterionAngle<C>;
+concept Criterion = Policy<C> && requirements::CriterionCurve<C> &&
+                    requirements::CriterionTension<C> && requirements::CriterionAngle<C>;
 
 template <class C>
 consteval bool check_criterion() {
   check_policy<C>();
-  static_assert(
-      requirements::FailureCriterionCurve<C>,
-      "riprap: a FailureCriterion must have double major_stress_at_failure(double minor) const");
-  static_assert(requirements::FailureCriterionTension<C>,
-                "riprap: a FailureCriterion must have double tensile_strength() const");
-  static_assert(requirements::FailureCriterionAngle<C>,
-                "riprap: friction_angle of a FailureCriterion must be double friction_angle(double "
+  static_assert(requirements::CriterionCurve<C>,
+                "riprap: a Criterion must have double major_stress_at_failure(double minor) const");
+  static_assert(requirements::CriterionTension<C>,
+                "riprap: a Criterion must have double tensile_strength() const");
+  static_assert(requirements::CriterionAngle<C>,
+                "riprap: friction_angle of a Criterion must be double friction_angle(double "
                 "minor) const");
-  return FailureCriterion<C>;
+  return Criterion<C>;
 }
 
 /// True for a criterion that declares that nothing ever fails by it.
@@ -78,7 +76,7 @@ inline constexpr bool never_fails = [] {
 
 /// Friction angle [rad] at sigma_3 = minor [Pa]: the criterion's own where it has one, else from
 /// the slope of its curve by a difference towards compression, where the curve is defined.
-template <FailureCriterion C>
+template <Criterion C>
 [[nodiscard]] double friction_angle(const C& criterion, double minor) {
   if constexpr (requires { criterion.friction_angle(minor); }) {
     return criterion.friction_angle(minor);

@@ -11,7 +11,7 @@
 namespace riprap {
 
 /// Holds one of several criteria and passes every question on to it.
-template <FailureCriterion... Criteria>
+template <Criterion... Criteria>
 struct CriterionChoice {
   std::variant<Criteria...> chosen;
 

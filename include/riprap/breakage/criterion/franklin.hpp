@@ -74,6 +74,6 @@ struct Franklin {
   }
 };
 
-static_assert(FailureCriterion<Franklin>);
+static_assert(Criterion<Franklin>);
 
 }  // namespace riprap

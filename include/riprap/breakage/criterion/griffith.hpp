@@ -36,6 +36,6 @@ struct Griffith {
   }
 };
 
-static_assert(FailureCriterion<Griffith>);
+static_assert(Criterion<Griffith>);
 
 }  // namespace riprap

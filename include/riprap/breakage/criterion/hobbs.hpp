@@ -48,6 +48,6 @@ struct Hobbs {
   }
 };
 
-static_assert(FailureCriterion<Hobbs>);
+static_assert(Criterion<Hobbs>);
 
 }  // namespace riprap

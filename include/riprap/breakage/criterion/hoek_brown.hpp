@@ -54,6 +54,6 @@ struct HoekBrown {
   [[nodiscard]] double scaled(double minor) const { return m_b * minor / compressive_strength + s; }
 };
 
-static_assert(FailureCriterion<HoekBrown>);
+static_assert(Criterion<HoekBrown>);
 
 }  // namespace riprap

@@ -55,6 +55,6 @@ struct ModifiedGriffith {
   }
 };
 
-static_assert(FailureCriterion<ModifiedGriffith>);
+static_assert(Criterion<ModifiedGriffith>);
 
 }  // namespace riprap

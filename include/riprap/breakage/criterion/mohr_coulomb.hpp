@@ -41,6 +41,6 @@ struct MohrCoulomb {
   [[nodiscard]] double slope_root() const { return (1 + std::sin(angle)) / std::cos(angle); }
 };
 
-static_assert(FailureCriterion<MohrCoulomb>);
+static_assert(Criterion<MohrCoulomb>);
 
 }  // namespace riprap

@@ -35,6 +35,6 @@ struct Murrell {
   }
 };
 
-static_assert(FailureCriterion<Murrell>);
+static_assert(Criterion<Murrell>);
 
 }  // namespace riprap

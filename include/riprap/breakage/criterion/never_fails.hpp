@@ -19,6 +19,6 @@ struct NeverFails {
   [[nodiscard]] double tensile_strength() const { return std::numeric_limits<double>::infinity(); }
 };
 
-static_assert(FailureCriterion<NeverFails>);
+static_assert(Criterion<NeverFails>);
 
 }  // namespace riprap

@@ -21,6 +21,6 @@ struct Rankine {
   void validate() const { require_positive("Rankine.tension", tension); }
 };
 
-static_assert(FailureCriterion<Rankine>);
+static_assert(Criterion<Rankine>);
 
 }  // namespace riprap

@@ -13,6 +13,6 @@ struct AnyElement {
   [[nodiscard]] std::size_t failed_elements_needed(std::size_t /*elements*/) const { return 1; }
 };
 
-static_assert(BreakageTrigger<AnyElement>);
+static_assert(Trigger<AnyElement>);
 
 }  // namespace riprap

@@ -18,7 +18,7 @@ namespace requirements {
 /// `trigger(failures)` -> bool. Const: a decision depends on one evaluation, not on those before
 /// it.
 template <class T>
-concept BreakageTriggerCall = requires(const T& trigger, const FailureCount& failures) {
+concept TriggerCall = requires(const T& trigger, const FailureCount& failures) {
   { trigger(failures) } -> std::convertible_to<bool>;
 };
 
@@ -26,7 +26,7 @@ concept BreakageTriggerCall = requires(const T& trigger, const FailureCount& fai
 /// of the criterion. Const, since it must not change from call to call; a non-const
 /// function would be ignored silently.
 template <class T>
-concept BreakageTriggerStrength = !requires(T& trigger, ParticleId id, double area) {
+concept TriggerStrength = !requires(T& trigger, ParticleId id, double area) {
   trigger.strength_factor(id, area);
 } || requires(const T& trigger, const ParticleId id, const double area) {
   { trigger.strength_factor(id, area) } -> std::convertible_to<double>;
@@ -37,7 +37,7 @@ concept BreakageTriggerStrength = !requires(T& trigger, ParticleId id, double ar
 /// they were last evaluated are skipped (screening), and break in the same step as without it.
 /// Const, since it must not change from call to call.
 template <class T>
-concept BreakageTriggerNeeded = !requires(T& trigger, std::size_t elements) {
+concept TriggerNeeded = !requires(T& trigger, std::size_t elements) {
   trigger.failed_elements_needed(elements);
 } || requires(const T& trigger, const std::size_t elements) {
   { trigger.failed_elements_needed(elements) } -> std::convertible_to<std::size_t>;
@@ -45,30 +45,29 @@ concept BreakageTriggerNeeded = !requires(T& trigger, std::size_t elements) {
 
 }  // namespace requirements
 
-/// A `BreakageTrigger` decides from the failed elements of one evaluation.
+/// A `Trigger` decides from the failed elements of one evaluation.
 template <class T>
-concept BreakageTrigger =
-    Policy<T> && requirements::BreakageTriggerCall<T> && requirements::BreakageTriggerStrength<T> &&
-    requirements::BreakageTriggerNeeded<T>;
+concept Trigger = Policy<T> && requirements::TriggerCall<T> && requirements::TriggerStrength<T> &&
+                  requirements::TriggerNeeded<T>;
 
 /// A trigger that says how many failed elements it needs: its particles can be screened.
 template <class T>
-concept ScreenableTrigger = BreakageTrigger<T> && requires(const T& trigger, std::size_t elements) {
+concept ScreenableTrigger = Trigger<T> && requires(const T& trigger, std::size_t elements) {
   trigger.failed_elements_needed(elements);
 };
 
 template <class T>
 consteval bool check_trigger() {
   check_policy<T>();
-  static_assert(requirements::BreakageTriggerCall<T>,
-                "riprap: a BreakageTrigger must have bool operator()(const FailureCount&) const");
-  static_assert(requirements::BreakageTriggerStrength<T>,
-                "riprap: strength_factor of a BreakageTrigger must be double "
+  static_assert(requirements::TriggerCall<T>,
+                "riprap: a Trigger must have bool operator()(const FailureCount&) const");
+  static_assert(requirements::TriggerStrength<T>,
+                "riprap: strength_factor of a Trigger must be double "
                 "strength_factor(ParticleId, double area) const");
-  static_assert(requirements::BreakageTriggerNeeded<T>,
-                "riprap: failed_elements_needed of a BreakageTrigger must be std::size_t "
+  static_assert(requirements::TriggerNeeded<T>,
+                "riprap: failed_elements_needed of a Trigger must be std::size_t "
                 "failed_elements_needed(std::size_t elements) const");
-  return BreakageTrigger<T>;
+  return Trigger<T>;
 }
 
 /// The fewest failed elements, of so many, whose share reaches `critical`; one more than there are

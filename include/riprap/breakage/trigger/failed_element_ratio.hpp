@@ -21,6 +21,6 @@ struct FailedElementRatio {
   void validate() const { require_positive("FailedElementRatio.critical", critical); }
 };
 
-static_assert(BreakageTrigger<FailedElementRatio>);
+static_assert(Trigger<FailedElementRatio>);
 
 }  // namespace riprap

@@ -10,8 +10,8 @@ namespace riprap {
 
 /// What the stress of particle i is multiplied by: one over the particle's own strength, for
 /// triggers that know one; the criterion stays as it is.
-template <BreakageTrigger Trigger>
-[[nodiscard]] double load_scale(const Trigger& trigger, const Particles& particles, BodyIndex i) {
+template <Trigger T>
+[[nodiscard]] double load_scale(const T& trigger, const Particles& particles, BodyIndex i) {
   const ParticleId id = particles.ancestry(i).id;
   const double area = particles.shape(i).area;
   if constexpr (requires { trigger.strength_factor(id, area); })

@@ -16,6 +16,6 @@ struct NeverBreaks {
   }
 };
 
-static_assert(BreakageTrigger<NeverBreaks>);
+static_assert(Trigger<NeverBreaks>);
 
 }  // namespace riprap

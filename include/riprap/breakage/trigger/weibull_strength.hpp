@@ -40,6 +40,6 @@ struct WeibullStrength {
   }
 };
 
-static_assert(BreakageTrigger<WeibullStrength>);
+static_assert(Trigger<WeibullStrength>);
 
 }  // namespace riprap

@@ -18,6 +18,6 @@ struct FixedTimeStep {
   void validate() const { require_positive("FixedTimeStep.seconds", seconds); }
 };
 
-static_assert(TimeStepRule<FixedTimeStep>);
+static_assert(TimeStep<FixedTimeStep>);
 
 }  // namespace riprap

@@ -25,6 +25,6 @@ struct MassFloor {
   void validate() const { require_positive("MassFloor.fraction", fraction); }
 };
 
-static_assert(TimeStepRule<MassFloor>);
+static_assert(TimeStep<MassFloor>);
 
 }  // namespace riprap

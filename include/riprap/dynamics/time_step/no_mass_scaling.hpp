@@ -27,6 +27,6 @@ struct NoMassScaling {
   }
 };
 
-static_assert(TimeStepRule<NoMassScaling>);
+static_assert(TimeStep<NoMassScaling>);
 
 }  // namespace riprap

@@ -3,7 +3,7 @@
 /// @file
 /// Contacts without force: bodies pass through each other. The file to copy for a law of your own.
 
-#include <riprap/contact/law/concepts.hpp>
+#include <riprap/contact/contact_law/concepts.hpp>
 
 namespace riprap {
 

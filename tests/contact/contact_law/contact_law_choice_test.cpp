@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/contact/law/contact_law_choice.hpp>
+#include <riprap/contact/contact_law/contact_law_choice.hpp>
 
 #include <doctest/doctest.h>
 
-#include <riprap/contact/law/linear_spring_coulomb.hpp>
-#include <riprap/contact/law/no_contact_force.hpp>
-#include <riprap/contact/law/overlap_area_spring.hpp>
-#include <riprap/contact/law/spring_dashpot.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
+#include <riprap/contact/contact_law/no_contact_force.hpp>
+#include <riprap/contact/contact_law/overlap_area_spring.hpp>
+#include <riprap/contact/contact_law/spring_dashpot.hpp>
 #include <support/message_of.hpp>
 #include <support/same_run.hpp>
 
@@ -49,7 +49,7 @@ TEST_CASE("a chosen contact law gives the same bits as the law itself") {
 }
 
 TEST_CASE("a chosen contact law runs to the same bytes as the law itself") {
-  const auto run = [](const auto& law) { return test::run_of(Model{}.contact(law), 1500); };
+  const auto run = [](const auto& law) { return test::run_of(Model{}.contact_law(law), 1500); };
   CHECK(test::same_bytes(run(Choice{LinearSpringCoulomb{}}), run(LinearSpringCoulomb{})));
   CHECK(test::same_bytes(run(Choice{SpringDashpot{}}), run(SpringDashpot{})));
   CHECK(test::same_bytes(run(Choice{OverlapAreaSpring{}}), run(OverlapAreaSpring{})));

@@ -9,7 +9,7 @@
 
 #include <riprap/core/errors.hpp>
 #include <riprap/core/linkage.hpp>
-#include <riprap/stress/mesh/concepts.hpp>
+#include <riprap/stress/mesher/concepts.hpp>
 
 namespace riprap {
 
@@ -93,5 +93,5 @@ static_assert(Mesher<UniformMesher>);
 }  // namespace riprap
 
 #ifndef RIPRAP_COMPILED
-#include <riprap/stress/mesh/uniform_mesher.ipp>
+#include <riprap/stress/mesher/uniform_mesher.ipp>
 #endif

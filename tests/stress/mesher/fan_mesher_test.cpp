@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/stress/mesh/fan_mesher.hpp>
+#include <riprap/stress/mesher/fan_mesher.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <doctest/doctest.h>
 
-#include <riprap/contact/law/concepts.hpp>
+#include <riprap/contact/contact_law/concepts.hpp>
 #include <support/archetypes.hpp>
 
 using namespace riprap;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <doctest/doctest.h>
 
-#include <riprap/stress/mesh/concepts.hpp>
+#include <riprap/stress/mesher/concepts.hpp>
 #include <support/archetypes.hpp>
 
 using namespace riprap;

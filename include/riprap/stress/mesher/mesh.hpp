@@ -58,5 +58,5 @@ struct Mesh {
 }  // namespace riprap
 
 #ifndef RIPRAP_COMPILED
-#include <riprap/stress/mesh/mesh.ipp>
+#include <riprap/stress/mesher/mesh.ipp>
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <doctest/doctest.h>
 
-#include <riprap/contact/law/coulomb_slip.hpp>
+#include <riprap/contact/contact_law/coulomb_slip.hpp>
 #include <support/near.hpp>
 
 using namespace riprap;

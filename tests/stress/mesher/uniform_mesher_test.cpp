@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/stress/mesh/uniform_mesher.hpp>
+#include <riprap/stress/mesher/uniform_mesher.hpp>
 
 #include <algorithm>
 #include <doctest/doctest.h>

@@ -3,7 +3,7 @@
 /// @file
 /// A contact law with its friction taken away, to compact samples with.
 
-#include <riprap/contact/law/concepts.hpp>
+#include <riprap/contact/contact_law/concepts.hpp>
 
 namespace riprap {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include <riprap/contact/law/linear_spring_coulomb.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <support/near.hpp>
 
 using namespace riprap;

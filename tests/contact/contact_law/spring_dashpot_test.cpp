@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include <riprap/contact/law/spring_dashpot.hpp>
+#include <riprap/contact/contact_law/spring_dashpot.hpp>
 #include <support/near.hpp>
 
 using namespace riprap;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <riprap/stress/boundary_locator.hpp>
-#include <riprap/stress/mesh/mesh.hpp>
+#include <riprap/stress/mesher/mesh.hpp>
 
 #include <array>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 #include <riprap/stress/assemble_and_solve.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
-#include <riprap/stress/mesh/fan_mesher.hpp>
+#include <riprap/stress/mesher/fan_mesher.hpp>
 #include <riprap/stress/plane_state/plane_stress.hpp>
 #include <riprap/stress/prescribed_displacement.hpp>
 #include <support/loaded_particle.hpp>

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include <riprap/geometry/polygon_properties.hpp>
-#include <riprap/stress/mesh/point_voronoi.hpp>
-#include <riprap/stress/mesh/uniform_mesher.hpp>
+#include <riprap/stress/mesher/point_voronoi.hpp>
+#include <riprap/stress/mesher/uniform_mesher.hpp>
 
 namespace riprap {
 

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <string>
 
-#include <riprap/contact/law/linear_spring_coulomb.hpp>
-#include <riprap/contact/law/overlap_area_spring.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
+#include <riprap/contact/contact_law/overlap_area_spring.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <support/near.hpp>
 #include <support/rectangle.hpp>

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include <riprap/contact/law/concepts.hpp>
-#include <riprap/contact/law/coulomb_slip.hpp>
+#include <riprap/contact/contact_law/concepts.hpp>
+#include <riprap/contact/contact_law/coulomb_slip.hpp>
 
 namespace riprap {
 

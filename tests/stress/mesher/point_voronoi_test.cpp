@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/stress/mesh/point_voronoi.hpp>
+#include <riprap/stress/mesher/point_voronoi.hpp>
 
 #include <algorithm>
 #include <boost/polygon/voronoi.hpp>

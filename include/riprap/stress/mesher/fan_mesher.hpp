@@ -7,7 +7,7 @@
 
 #include <riprap/core/errors.hpp>
 #include <riprap/core/linkage.hpp>
-#include <riprap/stress/mesh/concepts.hpp>
+#include <riprap/stress/mesher/concepts.hpp>
 
 namespace riprap {
 
@@ -26,5 +26,5 @@ static_assert(Mesher<FanMesher>);
 }  // namespace riprap
 
 #ifndef RIPRAP_COMPILED
-#include <riprap/stress/mesh/fan_mesher.ipp>
+#include <riprap/stress/mesher/fan_mesher.ipp>
 #endif

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include <riprap/stress/mesh/fan_mesher.hpp>
+#include <riprap/stress/mesher/fan_mesher.hpp>
 
 namespace riprap {
 

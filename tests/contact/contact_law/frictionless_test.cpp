@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/contact/law/frictionless.hpp>
+#include <riprap/contact/contact_law/frictionless.hpp>
 
 #include <doctest/doctest.h>
 
-#include <riprap/contact/law/linear_spring_coulomb.hpp>
-#include <riprap/contact/law/no_contact_force.hpp>
-#include <riprap/contact/law/overlap_area_spring.hpp>
-#include <riprap/contact/law/spring_dashpot.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
+#include <riprap/contact/contact_law/no_contact_force.hpp>
+#include <riprap/contact/contact_law/overlap_area_spring.hpp>
+#include <riprap/contact/contact_law/spring_dashpot.hpp>
 
 using namespace riprap;
 

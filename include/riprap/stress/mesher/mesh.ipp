@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <riprap/stress/mesh/mesh.hpp>
+#include <riprap/stress/mesher/mesh.hpp>
 
 namespace riprap {
 

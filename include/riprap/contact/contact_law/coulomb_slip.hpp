@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <riprap/contact/law/concepts.hpp>
+#include <riprap/contact/contact_law/concepts.hpp>
 #include <riprap/core/errors.hpp>
 
 namespace riprap {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <doctest/doctest.h>
 
-#include <riprap/contact/law/no_contact_force.hpp>
+#include <riprap/contact/contact_law/no_contact_force.hpp>
 
 using namespace riprap;
 

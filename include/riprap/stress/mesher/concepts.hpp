@@ -6,7 +6,7 @@
 #include <concepts>
 
 #include <riprap/core/policy.hpp>
-#include <riprap/stress/mesh/mesh.hpp>
+#include <riprap/stress/mesher/mesh.hpp>
 
 namespace riprap {
 

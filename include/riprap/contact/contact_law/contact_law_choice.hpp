@@ -5,8 +5,8 @@
 
 #include <variant>
 
-#include <riprap/contact/law/concepts.hpp>
-#include <riprap/contact/law/frictionless.hpp>
+#include <riprap/contact/contact_law/concepts.hpp>
+#include <riprap/contact/contact_law/frictionless.hpp>
 
 namespace riprap {
 
