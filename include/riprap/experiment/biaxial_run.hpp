@@ -15,6 +15,7 @@
 
 #include <riprap/contact/contact_law/frictionless.hpp>
 #include <riprap/core/errors.hpp>
+#include <riprap/core/scope_exit.hpp>
 #include <riprap/experiment/biaxial_result.hpp>
 #include <riprap/experiment/pressure_servo.hpp>
 #include <riprap/experiment/stage.hpp>
@@ -24,19 +25,6 @@
 #include <riprap/measurement/energy.hpp>
 
 namespace riprap::internal {
-
-/// Puts something back when its scope is left, by an exception too.
-template <class Action>
-class ScopeExit {
- public:
-  explicit ScopeExit(Action action) : action_(std::move(action)) {}
-  ScopeExit(const ScopeExit&) = delete;
-  ScopeExit& operator=(const ScopeExit&) = delete;
-  ~ScopeExit() { action_(); }
-
- private:
-  Action action_;
-};
 
 /// The stages of one biaxial test.
 template <class Test, class Sim, class... Observers>

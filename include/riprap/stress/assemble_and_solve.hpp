@@ -20,25 +20,13 @@
 #include <riprap/core/errors.hpp>
 #include <riprap/material/rock.hpp>
 #include <riprap/stress/boundary_load.hpp>
+#include <riprap/stress/determinate_support.hpp>
 #include <riprap/stress/element/concepts.hpp>
 #include <riprap/stress/element_stress.hpp>
 #include <riprap/stress/mesher/mesh.hpp>
 #include <riprap/stress/plane_state/concepts.hpp>
 
 namespace riprap {
-
-/// Just enough constraints to hold a free particle: node `fixed` in both directions, node `guided`
-/// along the axis that lies more across the line between the two. Balanced loads cause no
-/// reactions, so stress is the same for every choice.
-struct DeterminateSupport {
-  std::uint32_t fixed = 0;
-  std::uint32_t guided = 1;
-
-  /// Two nodes far apart: the best conditioned choice.
-  [[nodiscard]] static DeterminateSupport on_opposite_sides(const Mesh& mesh) {
-    return {0, mesh.boundary_nodes / 2};
-  }
-};
 
 /// Sparse finite elements for one particle. The unknowns, their order of elimination and all memory
 /// of the free case are set up once; `factorise` and `solve_free` then do the work that one check
