@@ -6,8 +6,8 @@
 #include <concepts>
 #include <vector>
 
-#include <riprap/core/policy.hpp>
 #include <riprap/core/ids.hpp>
+#include <riprap/core/policy.hpp>
 
 namespace riprap {
 
@@ -37,9 +37,10 @@ concept Screening = Policy<S> && requires { S::skips_particles; };
 template <class S>
 consteval bool check_screening() {
   check_policy<S>();
-  static_assert(requires { S::skips_particles; },
-                "riprap: a Screening must have static constexpr bool skips_particles and template "
-                "<class BreakagePart, class StressPart> class State");
+  static_assert(
+      requires { S::skips_particles; },
+      "riprap: a Screening must have static constexpr bool skips_particles and template "
+      "<class BreakagePart, class StressPart> class State");
   return Screening<S>;
 }
 

@@ -7,8 +7,8 @@
 #include <span>
 
 #include <riprap/contact/contact.hpp>
-#include <riprap/contact/neighbour_list/rebuild_every_step.hpp>
 #include <riprap/contact/narrow_phase/no_overlap.hpp>
+#include <riprap/contact/neighbour_list/rebuild_every_step.hpp>
 #include <riprap/contact/pair_map.hpp>
 #include <riprap/contact/task_partition.hpp>
 #include <riprap/core/policy.hpp>
@@ -29,9 +29,9 @@ struct DetectionInput {
 
 namespace requirements {
 
-/// `D::State<Narrow>`: what a simulation keeps from step to step. `state.find(input, task)` evaluates
-/// the pairs of a task, writes the indices of those that touch to `input.touching` in order and
-/// their number to `task.touching`, and fills `task.crossing`. Tasks may run in parallel.
+/// `D::State<Narrow>`: what a simulation keeps from step to step. `state.find(input, task)`
+/// evaluates the pairs of a task, writes the indices of those that touch to `input.touching` in
+/// order and their number to `task.touching`, and fills `task.crossing`. Tasks may run in parallel.
 /// `state.carry(map)` follows a new pair list; `state.forget(k)` and `state.forget_all()` discard
 /// what is kept of pairs whose bodies have changed.
 template <class D>

@@ -20,11 +20,11 @@ struct OperatorBuilder {
   std::unique_ptr<InfluenceOperator> operator()() const { return nullptr; }
 };
 
-/// `O::State`, made from the policy: what a simulation keeps. `state.exact(i, build)` is the operator
-/// of particle i, from memory or from `build()`, valid until the next call for another particle;
-/// `state.find(i)` the same if it is in memory, or null; `state.forget(i)` discards it: another
-/// particle has that index now; `state.begin_epoch(particles)` precedes the checks of a step;
-/// `state.bytes()` is the memory in use.
+/// `O::State`, made from the policy: what a simulation keeps. `state.exact(i, build)` is the
+/// operator of particle i, from memory or from `build()`, valid until the next call for another
+/// particle; `state.find(i)` the same if it is in memory, or null; `state.forget(i)` discards it:
+/// another particle has that index now; `state.begin_epoch(particles)` precedes the checks of a
+/// step; `state.bytes()` is the memory in use.
 template <class O>
 concept OperatorStoreState =
     requires { typename O::State; } && std::constructible_from<typename O::State, const O&> &&
