@@ -33,7 +33,7 @@ TEST_CASE("the body forces of riprap obey the axioms") {
 TEST_CASE("what breaks an axiom of body forces is found") {
   check_violated(body_force_violations(ConstantForce{}),
                  "a body force is proportional to the mass: difference [m/s^2]");
-  check_violated(body_force_violations(Unbounded{}), "the acceleration is finite: x - x [m/s^2]");
+  check_violated(body_force_violations(Unbounded{}), "the acceleration is finite");
   check_violated(body_force_violations(Alternating{}),
                  "the same body has the same acceleration: difference [m/s^2]");
 }

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -64,4 +65,12 @@ TEST_CASE("the magnitude of four numbers loses their signs alone") {
   CHECK(found[1] == 1.5f);
   CHECK(found[2] == 2.5f);
   CHECK(found[3] == 1e-40f);
+}
+
+TEST_CASE("square roots of four numbers in single precision are those of each") {
+  const Simd<float, 4> found = square_root(Simd<float, 4>{0.0f, 2.0f, 1e-30f, 3e30f});
+  for (std::size_t l = 0; l < 4; ++l) {
+    const float x = std::array<float, 4>{0.0f, 2.0f, 1e-30f, 3e30f}[l];
+    CHECK(found[l] == std::sqrt(x));
+  }
 }

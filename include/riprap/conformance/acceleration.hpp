@@ -25,7 +25,9 @@ namespace internal {
   Random random(1);
   Assembly assembly{.thickness = 0.016, .particles = {}};
   for (int i = 0; i < 16; ++i) {
-    const Vec2 centre{0.018 * (i % 4 - 1.5), 0.018 * (i / 4 - 1.5)};
+    const int column = i % 4;
+    const int row = i / 4;
+    const Vec2 centre{0.018 * (column - 1.5), 0.018 * (row - 1.5)};
     const Vec2 velocity{random.uniform(-4, 4), random.uniform(-4, 4)};
     const double turn = random.uniform(0, 6);
     assembly.particles.push_back({grain.moved(Rotation::from_angle(turn), centre), Motion::free,

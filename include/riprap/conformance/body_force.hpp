@@ -27,7 +27,7 @@ template <BodyForce F>
     body.position = vector(extent);
     body.velocity = vector(speed);
     const Vec2 first = body_force(body);
-    check.equal("the acceleration is finite: x - x [m/s^2]", (first - first).norm(), 0, 0);
+    check.holds("the acceleration is finite", is_finite(first));
     check.equal("the same body has the same acceleration: difference [m/s^2]",
                 (body_force(body) - first).norm(), 0, 0);
     // Of twice the mass under twice the force.

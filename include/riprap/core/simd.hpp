@@ -60,9 +60,13 @@ template <class V, class T>
   return __builtin_shufflevector(two, two, 1, 0);
 }
 
+namespace internal {
+inline constexpr std::size_t bytes_of_double = sizeof(double);
+}  // namespace internal
+
 /// Number of doubles in a number type.
 template <class V>
-inline constexpr std::size_t lanes_of = sizeof(V) / sizeof(double);
+inline constexpr std::size_t lanes_of = sizeof(V) / internal::bytes_of_double;
 
 /// Lane l.
 template <class V>
@@ -110,6 +114,15 @@ template <class V>
 #endif
     return gather_lanes<V>([&](std::size_t l) { return std::sqrt(x[l]); });
   }
+}
+
+/// Square roots of four numbers in single precision.
+[[nodiscard]] inline Simd<float, 4> square_root(const Simd<float, 4>& x) {
+#ifdef __SSE2__
+  return std::bit_cast<Simd<float, 4>>(_mm_sqrt_ps(std::bit_cast<__m128>(x)));
+#else
+  return Simd<float, 4>{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
+#endif
 }
 
 /// Absolute value of four numbers in single precision.

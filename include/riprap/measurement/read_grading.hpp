@@ -26,7 +26,8 @@ namespace riprap {
   while (rows.next()) {
     const GradingPoint p{rows.number(0), rows.number(1)};
     if (!(p.size > 0)) rows.fail(0, "must be above 0");
-    if (!(p.passing >= 0 && p.passing <= 1)) rows.fail(1, "must lie in [0, 1]");
+    const bool is_share = p.passing >= 0 && p.passing <= 1;
+    if (!is_share) rows.fail(1, "must lie in [0, 1]");
     if (!points.empty() && p.size < points.back().size) rows.fail(0, "must not descend");
     if (!points.empty() && p.passing < points.back().passing) rows.fail(1, "must not descend");
     points.push_back(p);

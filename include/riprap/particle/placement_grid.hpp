@@ -19,9 +19,7 @@
 #include <riprap/particle/random_placement.hpp>
 #include <riprap/particle/spatial_order.hpp>
 
-namespace riprap {
-
-namespace internal {
+namespace riprap::internal {
 
 /// Random polygons that are to be placed.
 struct RandomPolygons {
@@ -91,9 +89,7 @@ void place_at_random(const RandomPolygons& made, Assembly& assembly, DrawCentre&
   sort_by_morton_code(std::span(assembly.particles).subspan(first));
 }
 
-}  // namespace internal
-
-}  // namespace riprap
+}  // namespace riprap::internal
 
 #ifndef RIPRAP_COMPILED
 #include <riprap/particle/placement_grid.ipp>

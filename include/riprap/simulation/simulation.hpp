@@ -175,10 +175,9 @@ class Simulation {
   }
   /// Rat of every particle now (0 for driven and unloaded ones), in the order of the bodies.
   [[nodiscard]] std::vector<double> failed_ratios() const {
-    if constexpr (breakable)
-      return stress_query().failed_ratios();
-    else
-      return std::vector<double>(particles_.size(), 0);
+    std::vector<double> ratios(particles_.size(), 0);
+    if constexpr (breakable) ratios = stress_query().failed_ratios();
+    return ratios;
   }
 
  private:

@@ -13,20 +13,6 @@ namespace riprap {
 
 namespace internal {
 
-[[nodiscard]] inline FourFloats larger(const FourFloats& a, const FourFloats& b) {
-  return a > b ? a : b;
-}
-[[nodiscard]] inline FourFloats smaller(const FourFloats& a, const FourFloats& b) {
-  return a < b ? a : b;
-}
-[[nodiscard]] inline FourFloats square_root(const FourFloats& v) {
-#ifdef __SSE__
-  return __builtin_ia32_sqrtps(v);
-#else
-  return FourFloats{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
-#endif
-}
-
 // Four numbers, or those that are left, and zeros.
 [[nodiscard]] inline FourFloats load_some(std::span<const float> from) {
   std::array<float, 4> four{};
@@ -60,7 +46,7 @@ RIPRAP_INLINE void MohrRadiusTable::lower_bound(std::span<const float> centres,
     const FourFloats four = k + 4 <= centres.size() ? load_lanes<FourFloats>(centres.data() + k)
                                                     : internal::load_some(centres.subspan(k));
     const FourFloats places =
-        internal::smaller(internal::larger((four - first_) * inverse_step_, zero), end);
+        smaller(larger(FourFloats((four - first_) * inverse_step_), zero), end);
     FourFloats here;
     FourFloats next;
     for (int l = 0; l < 4; ++l) {
@@ -70,7 +56,7 @@ RIPRAP_INLINE void MohrRadiusTable::lower_bound(std::span<const float> centres,
     }
     // The larger of the two bounds from the neighbouring entries. Round-off of the position in the
     // table counts as a shift of the centre.
-    store_lanes(radii.data() + k, internal::larger(here, next + step_ * places) - 1e-3f * step_);
+    store_lanes(radii.data() + k, larger(here, FourFloats(next + step_ * places)) - 1e-3f * step_);
   }
 }
 
@@ -88,7 +74,7 @@ RIPRAP_INLINE void FailureScreening::find_distances(const ElementStressF32& stre
   for (std::size_t e = 0; e < distances_.size(); e += 4) {
     const FourFloats half = 0.5f * (load(s11 + e) - load(s22 + e));
     const FourFloats shear = load(s12 + e);
-    const FourFloats radius = internal::square_root(half * half + shear * shear);
+    const FourFloats radius = square_root(FourFloats(half * half + shear * shear));
     store_lanes(distances_.data() + e,
                 (load(distances_.data() + e) - (error + radius)) * inverse_unit_);
   }
@@ -120,9 +106,9 @@ RIPRAP_INLINE ScreeningResult FailureScreening::operator()(const ElementStressF3
   constexpr FourFloats zero{0, 0, 0, 0};
   FourFloats sums = zero;
   for (std::size_t e = 0; e < distances_.size(); e += 4) {
-    const FourFloats distance = load_lanes<FourFloats>(distances + e);
+    const auto distance = load_lanes<FourFloats>(distances + e);
     const FourFloats truncated =
-        internal::smaller(internal::larger(distance, zero), FourFloats{edge, edge, edge, edge});
+        smaller(larger(distance, zero), FourFloats{edge, edge, edge, edge});
     sums += truncated * truncated;
   }
   const float all = (sums[0] + sums[1]) + (sums[2] + sums[3]);
