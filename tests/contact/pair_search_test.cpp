@@ -9,29 +9,16 @@
 
 #include <riprap/contact/broad_phase/all_pairs.hpp>
 #include <riprap/contact/broad_phase/uniform_grid.hpp>
-#include <riprap/core/random.hpp>
+#include <support/diamonds.hpp>
 #include <support/near.hpp>
 
 using namespace riprap;
+using test::diamond;
+using test::scattered;
 
 namespace {
 
 using Pair = std::array<long, 4>;  // a, b and the image of b
-
-ConvexPolygon diamond(const Vec2& centre, double reach) {
-  return {centre + Vec2{reach, 0}, centre + Vec2{0, reach}, centre - Vec2{reach, 0},
-          centre - Vec2{0, reach}};
-}
-
-Particles scattered(unsigned count, double extent, double reach, std::uint64_t seed) {
-  Random random(seed);
-  Particles particles(1, 1);
-  for (unsigned i = 0; i < count; ++i) {
-    const double x = random.uniform(-extent, extent);
-    particles.add(diamond({x, random.uniform(-extent, extent)}, reach), Motion::free);
-  }
-  return particles;
-}
 
 template <class Broad>
 std::set<Pair> found(Broad broad, const Particles& particles, const PeriodicDomain& domain) {

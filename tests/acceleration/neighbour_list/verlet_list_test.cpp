@@ -4,26 +4,13 @@
 #include <doctest/doctest.h>
 
 #include <riprap/contact/broad_phase/all_pairs.hpp>
-#include <riprap/core/random.hpp>
+#include <support/diamonds.hpp>
 
 using namespace riprap;
+using test::diamond;
+using test::scattered;
 
 namespace {
-
-ConvexPolygon diamond(const Vec2& centre, double reach) {
-  return {centre + Vec2{reach, 0}, centre + Vec2{0, reach}, centre - Vec2{reach, 0},
-          centre - Vec2{0, reach}};
-}
-
-Particles scattered(unsigned count, double extent, double reach, std::uint64_t seed) {
-  Random random(seed);
-  Particles particles(1, 1);
-  for (unsigned i = 0; i < count; ++i) {
-    const double x = random.uniform(-extent, extent);
-    particles.add(diamond({x, random.uniform(-extent, extent)}, reach), Motion::free);
-  }
-  return particles;
-}
 
 // A list whose skin is a tenth of the mean diameter of 0.1: 0.01.
 using List = VerletList::State<PeriodicDomain>;
