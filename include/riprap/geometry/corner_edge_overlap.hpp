@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include <riprap/core/simd.hpp>
 #include <riprap/core/vec2.hpp>
@@ -87,57 +88,92 @@ struct EdgeCrossing {
          inside_other_edges(ring, q.place->edge, q.other[q.place->last], margin);
 }
 
+// Conditions of an overlap at the features of as many queries as N has lanes, and the crossings.
+template <class N>
+struct EdgeCap {
+  using Feature = CornerEdgeFeature;
+
+  QueryVertex<N> start;  // of the edge
+  QueryVertex<N> edge;   // its end, relative to the start
+  N squared;             // length of the edge
+  EdgeCrossing<N> in;    // of the boundary of `other`, counter-clockwise
+  EdgeCrossing<N> out;
+  N width = in.along - out.along;
+  N length = square_root(squared);
+  N scale = 1 / length;
+
+  [[gnu::always_inline]] explicit EdgeCap(const CornerEdgeQuery* queries)
+      : start(queries, &CornerEdgeQuery::ring, &Feature::edge),
+        edge({queries, &CornerEdgeQuery::ring, &Feature::edge_end}, start),
+        squared(edge.x * edge.x + edge.y * edge.y),
+        in(queries, start, edge, &Feature::first, &Feature::before),
+        out(queries, start, edge, &Feature::last, &Feature::after) {}
+
+  // Above margin * squared: the boundary crosses the edge twice, clearly within its ends.
+  [[nodiscard, gnu::always_inline]] N crossing() const {
+    return smaller(smaller(smaller(in.deep, in.high), smaller(out.deep, out.high)),
+                   smaller(out.along, smaller(width, N(squared - in.along))));
+  }
+  // Above zero: the vertices beyond the edge are clearly inside the triangle of the edge and the
+  // opposite vertex. It contains most points inside the ring near the edge, and testing it is
+  // cheaper than testing all edges.
+  [[nodiscard, gnu::always_inline]] N inside_triangle(const CornerEdgeQuery* queries,
+                                                      double margin) const {
+    const QueryVertex<N> opposite({queries, &CornerEdgeQuery::ring, &Feature::opposite}, start);
+    const N twice_area = edge.x * opposite.y - edge.y * opposite.x;
+    const N left_in = in.inside.x * opposite.y - in.inside.y * opposite.x;
+    const N left_out = out.inside.x * opposite.y - out.inside.y * opposite.x;
+    // No less than the square of the sum of the lengths of two sides.
+    const N size = 4 * (squared + opposite.x * opposite.x + opposite.y * opposite.y);
+    return smaller(smaller(left_in, N(twice_area - in.deep - left_in)),
+                   smaller(left_out, N(twice_area - out.deep - left_out))) -
+           2 * margin * size;
+  }
+};
+
+// The overlaps at the features of as many queries as N has lanes.
+template <class N>
+struct CornerEdgeOverlaps {
+  N normal_x, normal_y, middle_x, middle_y, depth, chord, quadrangle;
+
+  [[gnu::always_inline]] explicit CornerEdgeOverlaps(const EdgeCap<N>& cap) {
+    const auto& [start, edge, squared, in, out, width, length, scale] = cap;
+    const N middle = 0.5 * (in.along + out.along) * scale * scale;
+    normal_x = edge.y * scale;
+    normal_y = -edge.x * scale;
+    middle_x = start.x + middle * edge.x;
+    middle_y = start.y + middle * edge.y;
+    depth = larger(in.deep, out.deep) * scale;
+    chord = width * scale;
+    quadrangle =
+        0.5 * scale * scale *
+        ((in.inside_along - out.along) * out.deep + (in.along - out.inside_along) * in.deep);
+  }
+  [[nodiscard, gnu::always_inline]] CornerEdgeOverlap overlap(std::size_t l,
+                                                              bool one_vertex) const {
+    return {.normal = {lane(normal_x, l), lane(normal_y, l)},
+            .middle = {lane(middle_x, l), lane(middle_y, l)},
+            .depth = lane(depth, l),
+            .area = one_vertex ? 0.5 * lane(chord, l) * lane(depth, l) : lane(quadrangle, l),
+            .chord = lane(chord, l),
+            .one_vertex = one_vertex};
+  }
+};
+
 // Calls `found` with the overlap of each query that has one; as many queries as N has lanes.
-template <class N, class Found>
+template <class N, template <class> class Overlaps, class Found>
 [[gnu::always_inline]] inline void find_corner_edge_overlaps(const CornerEdgeQuery* queries,
                                                              Found&& found) {
-  using Feature = CornerEdgeFeature;
   constexpr double margin = 1e-8;
-  const QueryVertex<N> start(queries, &CornerEdgeQuery::ring, &Feature::edge);
-  const QueryVertex<N> edge({queries, &CornerEdgeQuery::ring, &Feature::edge_end}, start);
-  const N squared = edge.x * edge.x + edge.y * edge.y;
-  const EdgeCrossing<N> in(queries, start, edge, &Feature::first, &Feature::before);
-  const EdgeCrossing<N> out(queries, start, edge, &Feature::last, &Feature::after);
-  const N width = in.along - out.along;
-  const N least = smaller(smaller(smaller(in.deep, in.high), smaller(out.deep, out.high)),
-                          smaller(out.along, smaller(width, N(squared - in.along))));
-  const N clear = margin * squared;
-
-  // The triangle of the edge and the opposite vertex contains most points inside the ring near the
-  // edge, and testing it is cheaper than testing all edges.
-  const QueryVertex<N> opposite({queries, &CornerEdgeQuery::ring, &Feature::opposite}, start);
-  const N twice_area = edge.x * opposite.y - edge.y * opposite.x;
-  const N left_in = in.inside.x * opposite.y - in.inside.y * opposite.x;
-  const N left_out = out.inside.x * opposite.y - out.inside.y * opposite.x;
-  // No less than the square of the sum of the lengths of two sides.
-  const N size = 4 * (squared + opposite.x * opposite.x + opposite.y * opposite.y);
-  const N inside = smaller(smaller(left_in, N(twice_area - in.deep - left_in)),
-                           smaller(left_out, N(twice_area - out.deep - left_out))) -
-                   2 * margin * size;
-
-  const N length = square_root(squared);
-  const N scale = 1 / length;
-  const N middle = 0.5 * (in.along + out.along) * scale * scale;
-  const N normal_x = edge.y * scale;
-  const N normal_y = -edge.x * scale;
-  const N middle_x = start.x + middle * edge.x;
-  const N middle_y = start.y + middle * edge.y;
-  const N depth = larger(in.deep, out.deep) * scale;
-  const N chord = width * scale;
-  const N quadrangle =
-      0.5 * scale * scale *
-      ((in.inside_along - out.along) * out.deep + (in.along - out.inside_along) * in.deep);
+  const EdgeCap<N> cap(queries);
+  const N crossing = cap.crossing();
+  const N clear = margin * cap.squared;
+  const N inside = cap.inside_triangle(queries, margin);
+  const Overlaps<N> overlaps(cap);
   const auto report = [&](std::size_t l) __attribute__((always_inline)) {
-    if (!(lane(least, l) > lane(clear, l))) return;
-    if (!(lane(inside, l) > 0) && !inside_all(queries[l], margin * lane(length, l))) return;
-    const bool one_vertex = queries[l].place->one_vertex();
-    found(l, CornerEdgeOverlap{.normal = {lane(normal_x, l), lane(normal_y, l)},
-                               .middle = {lane(middle_x, l), lane(middle_y, l)},
-                               .depth = lane(depth, l),
-                               .area = one_vertex ? 0.5 * lane(chord, l) * lane(depth, l)
-                                                  : lane(quadrangle, l),
-                               .chord = lane(chord, l),
-                               .one_vertex = one_vertex});
+    if (!(lane(crossing, l) > lane(clear, l))) return;
+    if (!(lane(inside, l) > 0) && !inside_all(queries[l], margin * lane(cap.length, l))) return;
+    found(l, overlaps.overlap(l, queries[l].place->one_vertex()));
   };
   // Not a loop, so that every lane is a constant.
   report(0);
@@ -158,25 +194,29 @@ template <class N, class Found>
 /// coordinates, so that exact arithmetic would agree. Only where a long side nearly grazes a short
 /// edge can the error of the crossing be larger.
 /// @tparam lanes number of overlaps evaluated at once (SIMD); results do not depend on it
+/// @tparam Overlaps what is evaluated, for a number type: from an internal::EdgeCap
 /// @param found called with the index of every query that has an overlap, and the overlap
-template <std::size_t lanes = native_lanes, std::size_t count, class Found>
+template <std::size_t lanes = native_lanes,
+          template <class> class Overlaps = internal::CornerEdgeOverlaps, std::size_t count,
+          class Found>
 [[gnu::flatten]] void find_corner_edge_overlaps(const std::array<CornerEdgeQuery, count>& queries,
                                                 Found&& found) {
   static_assert(count % lanes == 0);
   for (std::size_t first = 0; first < count; first += lanes)
-    internal::find_corner_edge_overlaps<Simd<double, lanes>>(
-        queries.data() + first, [&](std::size_t l, const CornerEdgeOverlap& overlap)
+    internal::find_corner_edge_overlaps<Simd<double, lanes>, Overlaps>(
+        queries.data() + first, [&](std::size_t l, const auto& overlap)
                                     __attribute__((always_inline)) { found(first + l, overlap); });
 }
 
 /// The overlap at one feature, or nothing.
-[[nodiscard, gnu::flatten]] inline std::optional<CornerEdgeOverlap>
-corner_edge_overlap(Ring ring, Ring other, const CornerEdgeFeature& place) {
-  if (!place.fits(ring, other)) return std::nullopt;
+template <template <class> class Overlaps = internal::CornerEdgeOverlaps>
+[[nodiscard, gnu::flatten]] auto corner_edge_overlap(Ring ring, Ring other,
+                                                     const CornerEdgeFeature& place) {
+  std::optional<decltype(std::declval<const Overlaps<double>&>().overlap(0, true))> found;
+  if (!place.fits(ring, other)) return found;
   const CornerEdgeQuery query{ring.data(), other.data(), &place};
-  std::optional<CornerEdgeOverlap> found;
-  internal::find_corner_edge_overlaps<double>(
-      &query, [&](std::size_t, const CornerEdgeOverlap& overlap) { found = overlap; });
+  internal::find_corner_edge_overlaps<double, Overlaps>(
+      &query, [&](std::size_t, const auto& overlap) { found = overlap; });
   return found;
 }
 
