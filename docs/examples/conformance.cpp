@@ -10,7 +10,7 @@ struct HertzianSpring {    // normal force stiffness * depth^1.5, no friction
   double deepest = 1e-4;   // depth for which the time step is chosen [m]
   struct History {};       // a contact carries nothing from step to step
   ContactForce operator()(const ContactGeometry& at, const ContactMotion&, History&) const {
-    return {.normal = stiffness * at.depth * std::sqrt(at.depth)};
+    return {.normal = stiffness * at.depth * std::sqrt(at.depth) * at.depth_gradient};
   }
   double stored_energy(const ContactGeometry& at, const History&) const {
     return 0.4 * stiffness * at.depth * at.depth * std::sqrt(at.depth);

@@ -47,7 +47,7 @@ struct SpringDashpot {
 
   ContactForce operator()(const ContactGeometry& geometry, const ContactMotion& motion,
                           History&) const {
-    const double spring = stiffness * geometry.depth;
+    const double spring = stiffness * geometry.depth * geometry.depth_gradient;
     ContactForce force;
     force.normal = std::max(0.0, spring - damping * motion.normal_velocity);
     // What is not the spring's part of the force takes energy out.

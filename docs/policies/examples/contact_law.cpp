@@ -11,7 +11,7 @@ struct HertzianSpring {  // normal force stiffness * depth^1.5, tangential sprin
   double deepest = 1e-4;                         // depth for which the time step is chosen [m]
   using History = LinearSpringCoulomb::History;  // what a contact carries: its tangential force
   ContactForce operator()(const ContactGeometry& at, const ContactMotion& m, History& h) const {
-    ContactForce force{.normal = stiffness * std::pow(at.depth, 1.5)};
+    ContactForce force{.normal = stiffness * std::pow(at.depth, 1.5) * at.depth_gradient};
     add_coulomb_slip(force, h.tangential_force, tangential_stiffness, friction, m);
     return force;
   }

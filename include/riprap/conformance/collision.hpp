@@ -28,15 +28,18 @@ struct CollisionInstant {
 
 inline constexpr int collision_steps = 4000;
 
-/// Two faces of the longest chord, or the right-angled corner of one body in a face of the other.
-[[nodiscard]] inline ContactGeometry contact_of(const ContactRange& range, bool corner,
-                                                double depth) {
-  const double chord = corner ? 2 * depth : range.longest_chord;
+/// Two faces of the longest chord, or the right-angled corner of one body in a face of the other,
+/// `way` into each other [m]; the depth of faces may grow faster than that.
+[[nodiscard]] inline ContactGeometry contact_of(const ContactRange& range, bool corner, double way,
+                                                double face_gradient = 1) {
+  const double chord = corner ? 2 * way : range.longest_chord;
+  const double gradient = corner ? 1 : face_gradient;
   return {.normal = {0.6, 0.8},
           .point = {range.longest_chord, -range.longest_chord},
-          .depth = depth,
-          .area = corner ? depth * depth : chord * depth,
-          .chord = chord};
+          .depth = gradient * way,
+          .area = corner ? way * way : chord * way,
+          .chord = chord,
+          .depth_gradient = gradient};
 }
 
 /// Loading and unloading along the normal, with cyclic tangential displacement large enough for
@@ -47,10 +50,11 @@ void visit_collision(const ContactRange& range, bool corner, double duration, Vi
   using std::numbers::pi;
   constexpr int n = collision_steps;
   const double time_step = duration / n;
+  constexpr double face_gradient = 1.25;
   const auto depth = [&](int i) { return range.deepest * std::pow(std::sin(pi * i / n), 2); };
   const auto slide = [&](int i) { return 3 * range.deepest * std::sin(7 * pi * i / n); };
   for (int i = 1; i <= n; ++i)
-    visit(CollisionInstant{contact_of(range, corner, depth(i)),
+    visit(CollisionInstant{contact_of(range, corner, depth(i), face_gradient),
                            {.normal_velocity = (depth(i - 1) - depth(i)) / time_step,
                             .tangential_velocity = (slide(i) - slide(i - 1)) / time_step,
                             .time_step = time_step,

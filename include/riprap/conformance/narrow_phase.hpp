@@ -67,6 +67,7 @@ inline void check_same_contact(std::string_view axiom, const std::optional<Conta
   check.equal(axiom, found->depth, expected->depth, length);
   check.equal(axiom, found->chord, expected->chord, length);
   check.equal(axiom, found->area, expected->area, length * size);
+  check.equal(axiom, found->depth_gradient, expected->depth_gradient, length / size);
   check.equal(axiom, (found->point - expected->point).norm(), 0, length);
   check.equal(axiom, (found->normal - expected->normal).norm(), 0,
               length / std::max(expected->chord, 1e-3 * size));
@@ -81,6 +82,7 @@ void check_contact(const N& narrow, const PolygonPair& pair, double size, AxiomC
   check.at_least("the depth is not negative", contact->depth, 0);
   check.at_least("the area is not negative", contact->area, 0);
   check.at_least("the chord is not negative", contact->chord, 0);
+  check.at_least("the gradient of the depth is not negative", contact->depth_gradient, 0);
   const auto common = [&](const Vec2& shift) {
     const ConvexPolygon b = pair.b.moved({}, shift);
     return area_properties(overlap(pair.a.ring(), b.ring(), pair.a[0], 0).ring()).area;

@@ -14,6 +14,9 @@ struct ContactGeometry {
   double depth = 0;   ///< penetration [m], >= 0
   double area = 0;    ///< of the overlap [m^2]
   double chord = 0;   ///< length of the contact line [m]
+  /// Rise of the depth per displacement of b against the normal at the point [-]: the force of an
+  /// energy U(depth) is U'(depth) * depth_gradient, along the normal.
+  double depth_gradient = 1;
 
   /// The normal turned by +90 degrees.
   [[nodiscard]] Vec2 tangent() const { return perpendicular(normal); }

@@ -23,7 +23,7 @@ struct LinearSpringCoulomb {
 
   [[nodiscard]] ContactForce operator()(const ContactGeometry& geometry,
                                         const ContactMotion& motion, History& history) const {
-    ContactForce force{.normal = normal_stiffness * geometry.depth};
+    ContactForce force{.normal = normal_stiffness * geometry.depth * geometry.depth_gradient};
     add_coulomb_slip(force, history.tangential_force, tangential_stiffness, friction, motion);
     return force;
   }

@@ -29,7 +29,7 @@ struct SpringDashpot {
 
   [[nodiscard]] ContactForce operator()(const ContactGeometry& geometry,
                                         const ContactMotion& motion, History& history) const {
-    const double spring = normal_stiffness * geometry.depth;
+    const double spring = normal_stiffness * geometry.depth * geometry.depth_gradient;
     const double viscosity =
         2 * damping_ratio * std::sqrt(normal_stiffness * motion.effective_mass);
     ContactForce force{.normal = spring - viscosity * motion.normal_velocity};
