@@ -6,6 +6,7 @@
 #include <riprap/conformance/narrow_phase.hpp>
 #include <riprap/contact/narrow_phase/no_overlap.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
+#include <riprap/contact/narrow_phase/overlap_moments.hpp>
 #include <riprap/contact/narrow_phase/separating_axis.hpp>
 
 using namespace riprap;
@@ -85,6 +86,9 @@ TEST_CASE("the narrow phases of riprap obey the axioms") {
   CHECK(to_text(narrow_phase_violations(SeparatingAxis{})) == "");
   CHECK(to_text(narrow_phase_violations(SeparatingAxis{}, 10)) == "");
   CHECK(to_text(narrow_phase_unit_violations(SeparatingAxis{}, SeparatingAxis{})) == "");
+  CHECK(to_text(narrow_phase_violations(OverlapMoments{})) == "");
+  CHECK(to_text(narrow_phase_violations(OverlapMoments{}, 10)) == "");
+  CHECK(to_text(narrow_phase_unit_violations(OverlapMoments{}, OverlapMoments{})) == "");
   CHECK(to_text(narrow_phase_violations(NoOverlap{})) == "");
 }
 
@@ -107,6 +111,8 @@ TEST_CASE("a narrow phase with impossible contacts is found out") {
                  "the area is not negative");
   check_violated(violations_of([](auto& c, Ring, Ring) { c.chord -= 2e-3; }),
                  "the chord is not negative");
+  check_violated(violations_of([](auto& c, Ring, Ring) { c.depth_gradient = -1; }),
+                 "the gradient of the depth is not negative");
   check_violated(violations_of([](auto& c, Ring, Ring) { c.normal = -c.normal; }),
                  "the normal points from a to b: overlap after a shift of b along it [m^2]");
 }
