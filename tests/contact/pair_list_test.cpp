@@ -15,10 +15,10 @@ struct NoCache {};
 using Pair = Contact<int, NoCache>;  // the history marks the contact
 using Pairs = std::vector<std::pair<BodyIndex, BodyIndex>>;
 
-void renew(PairList<Pair>& list, const Pairs& pairs, std::size_t bodies) {
+void renew(PairList<Pair>& list, const Pairs& pairs) {
   list.begin();
   for (const auto& [a, b] : pairs) list.add(a, b, {});
-  list.finish(bodies);
+  list.finish();
 }
 
 std::vector<int> marks(const PairList<Pair>& list) {
@@ -31,33 +31,30 @@ std::vector<int> marks(const PairList<Pair>& list) {
 
 TEST_CASE("pairs are sorted and keep their contacts from list to list") {
   PairList<Pair> list;
-  renew(list, {{1, 2}, {0, 2}, {0, 1}}, 3);
+  renew(list, {{1, 2}, {0, 2}, {0, 1}});
   REQUIRE(list.size() == 3);
   CHECK(list.pairs()[0].a == 0);
   CHECK(list.pairs()[1].b == 2);
   int mark = 0;
   for (Pair& pair : list.pairs()) pair.history = ++mark;
   const std::uint64_t revision = list.revision();
-  renew(list, {{0, 1}, {0, 2}, {1, 2}}, 3);
+  renew(list, {{0, 1}, {0, 2}, {1, 2}});
   CHECK(list.revision() == revision);  // the same sequence
   CHECK(marks(list) == std::vector<int>{1, 2, 3});
-  renew(list, {{1, 2}, {0, 1}}, 3);
+  renew(list, {{1, 2}, {0, 1}});
   CHECK(list.revision() != revision);
   CHECK(list.map().from() == revision);
   CHECK(marks(list) == std::vector<int>{1, 3});
   CHECK(list.map().previous_index(1) == 2);
 }
 
-TEST_CASE("a contact given to a new body keeps its history, and its pair is new to other arrays") {
+TEST_CASE("a pair is found by its bodies while it touches") {
   PairList<Pair> list;
-  renew(list, {{0, 1}, {1, 2}}, 3);
-  list.pairs()[0].history = 5;
-  list.pairs()[1].history = 6;
-  // Body 1 breaks; body 3 takes its contact with 0.
-  list.pairs()[0].b = 3;
-  renew(list, {{0, 1}, {1, 2}, {0, 3}}, 4);
-  CHECK(marks(list) == std::vector<int>{0, 5, 6});
-  CHECK(list.map().previous_index(0) == PairMap::not_present);
-  CHECK(list.map().previous_index(1) == PairMap::not_present);
-  CHECK(list.map().previous_index(2) == 1);
+  renew(list, {{0, 1}, {1, 2}, {0, 3}});
+  for (Pair& pair : list.pairs()) pair.touching = pair.b != 2;
+  Pair of{.a = 0, .b = 3};
+  REQUIRE(list.find_touching(of));
+  CHECK(list.find_touching(of) == &list.pairs()[1]);
+  CHECK(!list.find_touching({.a = 1, .b = 2}));
+  CHECK(!list.find_touching({.a = 2, .b = 3}));
 }

@@ -15,6 +15,7 @@
 #include <riprap/contact/contact.hpp>
 #include <riprap/contact/contact_forces.hpp>
 #include <riprap/contact/detection/evaluate_each_pair.hpp>
+#include <riprap/contact/divided_contacts.hpp>
 #include <riprap/contact/domain.hpp>
 #include <riprap/contact/narrow_phase/concepts.hpp>
 #include <riprap/contact/neighbour_list/rebuild_every_step.hpp>
@@ -112,7 +113,8 @@ class ContactList {
       find_forces(tasks_[t], list_.pairs(), touching(tasks_[t]), particles, law_, domain_,
                   time_step);
     };
-    if constexpr (std::is_same_v<std::remove_cvref_t<OnPhaseEnd>, NoPhaseTimer>) {
+    constexpr bool timed = !std::is_same_v<std::remove_cvref_t<OnPhaseEnd>, NoPhaseTimer>;
+    if (!timed && divided_.empty()) {
       // Detection and forces of a task while its contacts are in the cache. Same results.
       execution.run(tasks_.size(), [&](std::size_t t) {
         contacts(t);
@@ -120,6 +122,7 @@ class ContactList {
       });
     } else {
       execution.run(tasks_.size(), contacts);
+      divided_.hand_over(law_, [&](const ContactType& of) { return list_.find_touching(of); });
       on_phase_end(StepPhase::narrow_phase);
       execution.run(tasks_.size(), forces);
     }
@@ -140,28 +143,14 @@ class ContactList {
     detection_.forget_all();
   }
 
-  /// After the particle at `parent` has broken: contacts with `of_second(point)` are transferred to
-  /// the piece at `second` with their histories, the others stay. Call update afterwards.
+  /// After the particle at `parent` has broken, with its second piece at the highest index: the
+  /// next update hands the histories of its contacts to those of its pieces.
+  /// @param of_second whether a point [m] lies on the side of the second piece
   template <class OfSecond>
   void divide(BodyIndex parent, BodyIndex second, OfSecond&& of_second) {
-    const std::span<ContactType> all = list_.pairs();
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      ContactType& contact = all[k];
-      if (contact.a != parent && contact.b != parent) continue;
-      detection_.forget(k);
-      if (!contact.touching) continue;
-      const Vec2 at_b = contact.geometry.point - image_offset(contact, domain_);
-      if (!of_second(contact.a == parent ? contact.geometry.point : at_b)) continue;
-      if (contact.a == parent) {
-        // The new piece has the highest index: it becomes b. Tangential forces keep their sign,
-        // since normal, tangent and the roles of the bodies are all reversed.
-        contact.geometry.point = at_b;
-        contact.a = contact.b;
-        contact.geometry.normal = -contact.geometry.normal;
-        if constexpr (Domain::periodic) contact.image = -contact.image;
-      }
-      contact.b = second;
-    }
+    divided_.record_break(parent, second, list_.pairs(), domain_, of_second);
+    for (std::size_t k = 0; k < list_.size(); ++k)
+      if (pairs()[k].a == parent || pairs()[k].b == parent) detection_.forget(k);
     list_state_.invalidate();
   }
 
@@ -173,7 +162,7 @@ class ContactList {
     const PairExtent extent = search_.visit_pairs(
         particles, domain_, List::uses_skin,
         [this](BodyIndex a, BodyIndex b, const Image& image) { list_.add(a, b, image); });
-    list_.finish(particles.size());
+    list_.finish();
     list_state_.rebuilt(particles, domain_, extent);
     detection_.carry(list_.map());
     for (ContactType& pair : list_.pairs()) {
@@ -210,6 +199,7 @@ class ContactList {
   Law law_;
   [[no_unique_address]] Domain domain_{};
   PairList<ContactType> list_;
+  DividedContacts<ContactType> divided_;
   std::vector<ContactTask> tasks_;
   std::vector<std::uint32_t> touching_;  // of each task, from the index of its first pair on
   double smallest_area_ = 0;             // of a particle [m^2]

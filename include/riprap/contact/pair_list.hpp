@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <compare>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -39,28 +38,31 @@ class PairList {
   void begin() { keys_.clear(); }
   void add(BodyIndex a, BodyIndex b, const Image& image) { keys_.push_back({a, b, image}); }
   /// Pairs that were in the list before keep their contact.
-  /// @param bodies number of bodies now
-  void finish(std::size_t bodies) {
+  void finish() {
     std::sort(keys_.begin(), keys_.end());
-    sort_former_pairs();
     next_pairs_.clear();
     map_.begin();
-    auto former = order_.begin();
+    std::uint32_t former = 0;
     for (const Key& k : keys_) {
-      while (former != order_.end() && key(pairs_[*former]) < k) ++former;
-      const bool kept = former != order_.end() && key(pairs_[*former]) == k;
+      while (former < pairs_.size() && key(pairs_[former]) < k) ++former;
+      const bool kept = former < pairs_.size() && key(pairs_[former]) == k;
       if (kept)
-        next_pairs_.push_back(pairs_[*former]);
+        next_pairs_.push_back(pairs_[former]);
       else
         next_pairs_.push_back({.a = k.a, .b = k.b, .image = k.image});
-      map_.add(kept && k.b < bodies_ ? *former : PairMap::not_present);
+      map_.add(kept ? former : PairMap::not_present);
     }
     std::swap(pairs_, next_pairs_);
     std::uint64_t revision = keys_.size();
     for (const Key& k : keys_)
       revision = splitmix64(revision ^ (static_cast<std::uint64_t>(k.a) << 32 | k.b));
     map_.finish(revision);
-    bodies_ = bodies;
+  }
+
+  /// The pair with the bodies and image of another, if it is in the list and touches.
+  [[nodiscard]] ContactType* find_touching(const ContactType& of) {
+    const auto found = std::ranges::lower_bound(pairs_, key(of), {}, key);
+    return found != pairs_.end() && key(*found) == key(of) && found->touching ? &*found : nullptr;
   }
 
  private:
@@ -74,23 +76,10 @@ class PairList {
     return {contact.a, contact.b, contact.image};
   }
 
-  // Only a split changes the order.
-  void sort_former_pairs() {
-    order_.resize(pairs_.size());
-    std::iota(order_.begin(), order_.end(), 0U);
-    const auto before = [this](std::uint32_t p, std::uint32_t q) {
-      return key(pairs_[p]) < key(pairs_[q]);
-    };
-    if (!std::is_sorted(order_.begin(), order_.end(), before))
-      std::sort(order_.begin(), order_.end(), before);
-  }
-
   std::vector<ContactType> pairs_;
   PairMap map_;
-  std::size_t bodies_ = 0;
   // Workspaces of a new list.
   std::vector<Key> keys_;
-  std::vector<std::uint32_t> order_;
   std::vector<ContactType> next_pairs_;
 };
 

@@ -23,8 +23,7 @@ class PairMap {
   [[nodiscard]] std::uint64_t from() const { return from_; }
   [[nodiscard]] std::uint64_t to() const { return to_; }
   [[nodiscard]] std::size_t size() const { return previous_.size(); }
-  /// Index of pair k in the revision before; `not_present` for a new pair, and for one that belongs
-  /// to the second piece of a broken particle now.
+  /// Index of pair k in the revision before; `not_present` for a new pair.
   [[nodiscard]] std::uint32_t previous_index(std::size_t k) const { return previous_[k]; }
 
   /// Moves the entries of `array`, `each` for a pair, from revision `from()` to `to()`; those of

@@ -26,6 +26,13 @@ struct ContactForce {
   double viscous_loss = 0;   ///< energy lost in dashpots during the step [J], >= 0
 };
 
+/// A contact of a piece of a particle that has just broken.
+struct DividedContact {
+  const ContactGeometry& geometry;
+  double share = 1;       ///< of its overlap in those of all pieces with the same neighbour [-]
+  bool has_point = true;  ///< the piece on whose side the contact of the particle acted
+};
+
 namespace requirements {
 
 /// `L::History`: what a contact carries from step to step. Every new contact starts with
@@ -65,18 +72,32 @@ concept ContactLawFrictionless =
       { law.frictionless() } -> std::convertible_to<L>;
     };
 
+/// Optional: `law.divided_history(history, geometry, part)` -> the history with which the contact
+/// `part` of a piece begins, from those of the contact before the break. Its stored energy should
+/// be at most `part.share` of what it was. Without it the piece with the contact's point gets the
+/// history, and other contacts of pieces are new.
+template <class L>
+concept ContactLawDivided =
+    !requires(L& law, const ContactGeometry& geometry, const typename L::History& history,
+              const DividedContact& part) { law.divided_history(history, geometry, part); } ||
+    requires(const L& law, const ContactGeometry& geometry, const typename L::History& history,
+             const DividedContact& part) {
+      { law.divided_history(history, geometry, part) } -> std::convertible_to<typename L::History>;
+    };
+
 }  // namespace requirements
 
 /// A `ContactLaw` computes contact forces.
 ///
 /// Optional: a member `friction` [-], or `law.frictionless()` that returns another law of its type:
 /// experiments take the friction away while they compact, if the law can be assigned. A member
-/// `may_pull` that is true: the normal force may be negative.
+/// `may_pull` that is true: the normal force may be negative. `law.divided_history` for contacts of
+/// particles that break.
 template <class L>
 concept ContactLaw =
     Policy<L> && requirements::ContactLawHistory<L> && requirements::ContactLawCall<L> &&
     requirements::ContactLawEnergy<L> && requirements::ContactLawStiffness<L> &&
-    requirements::ContactLawFrictionless<L>;
+    requirements::ContactLawFrictionless<L> && requirements::ContactLawDivided<L>;
 
 template <class L>
 consteval bool check_contact_law() {
@@ -96,8 +117,22 @@ consteval bool check_contact_law() {
                   "riprap: a ContactLaw must have double peak_stiffness() const");
     static_assert(requirements::ContactLawFrictionless<L>,
                   "riprap: frictionless() of a ContactLaw must be const and return such a law");
+    static_assert(requirements::ContactLawDivided<L>,
+                  "riprap: divided_history of a ContactLaw must be History divided_history(const "
+                  "History&, const ContactGeometry&, const DividedContact&) const");
   }
   return ContactLaw<L>;
+}
+
+/// The history of the contact of a piece, from that of the contact before the break.
+template <ContactLaw L>
+[[nodiscard]] typename L::History divided_history(const L& law, const typename L::History& history,
+                                                  const ContactGeometry& geometry,
+                                                  const DividedContact& part) {
+  if constexpr (requires { law.divided_history(history, geometry, part); })
+    return law.divided_history(history, geometry, part);
+  else
+    return part.has_point ? history : typename L::History{};
 }
 
 }  // namespace riprap

@@ -40,6 +40,16 @@ struct ContactLawChoice {
         },
         chosen);
   }
+  [[nodiscard]] History divided_history(const History& history, const ContactGeometry& geometry,
+                                        const DividedContact& part) const {
+    return std::visit(
+        [&]<class Law>(const Law& law) -> History {
+          const auto* own = std::get_if<HistoryOf<Law>>(&history);
+          if (!own) return HistoryOf<Law>{};
+          return HistoryOf<Law>{riprap::divided_history(law, own->history, geometry, part)};
+        },
+        chosen);
+  }
   [[nodiscard]] double peak_stiffness() const {
     return std::visit([](const auto& law) -> double { return law.peak_stiffness(); }, chosen);
   }

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// Contacts of particles that have broken: hands their histories to the contacts of the pieces.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <riprap/contact/contact.hpp>
+#include <riprap/contact/contact_forces.hpp>
+#include <riprap/contact/contact_law/concepts.hpp>
+
+namespace riprap {
+
+/// Recorded break by break; handed over when the contacts of all pieces have been found.
+template <class ContactType>
+class DividedContacts {
+ public:
+  using History = decltype(ContactType::history);
+
+  [[nodiscard]] bool empty() const { return parts_.empty(); }
+
+  /// After the particle at `parent` has broken into a piece at the same index and one at `second`,
+  /// above all others.
+  /// @param of_second whether a point [m] lies on the side of the second piece
+  template <class Pairs, class Domain, class OfSecond>
+  void record_break(BodyIndex parent, BodyIndex second, const Pairs& pairs, const Domain& domain,
+                    OfSecond&& of_second) {
+    for (const ContactType& pair : pairs)
+      if (pair.touching && has_body(pair, parent) && !is_recorded(pair)) {
+        parts_.push_back({pair, static_cast<std::uint32_t>(wholes_.size())});
+        wholes_.push_back({pair.geometry, pair.history});
+      }
+    const std::size_t before = parts_.size();
+    for (std::size_t i = 0; i < before; ++i) {
+      if (!has_body(parts_[i].contact, parent)) continue;
+      Part part = parts_[i];
+      ContactType& contact = part.contact;
+      Vec2& point = contact.geometry.point;
+      const Vec2 at_b = point - image_offset(contact, domain);
+      const bool by_point = of_second(contact.a == parent ? point : at_b);
+      if (contact.a == parent) {
+        // The new piece has the highest index: it becomes b.
+        point = at_b;
+        contact.a = contact.b;
+        if constexpr (Domain::periodic) contact.image = -contact.image;
+      }
+      contact.b = second;
+      part.has_point &= by_point;
+      parts_[i].has_point &= !by_point;
+      parts_.push_back(part);
+    }
+  }
+
+  /// Gives each contact of a piece its part of the history of the contact that was divided.
+  /// @param find returns the pair with the bodies and image of another one
+  template <class Law, class Find>
+  void hand_over(const Law& law, Find&& find) {
+    for (Part& part : parts_) {
+      part.pair = find(part.contact);
+      if (part.pair) wholes_[part.whole].overlap += part.pair->geometry.area;
+    }
+    for (const Part& part : parts_) {
+      if (!part.pair) continue;
+      const Whole& whole = wholes_[part.whole];
+      const ContactGeometry& now = part.pair->geometry;
+      const double share = whole.overlap > 0 ? now.area / whole.overlap : 0;
+      part.pair->history =
+          divided_history(law, whole.history, whole.geometry, {now, share, part.has_point});
+    }
+    parts_.clear();
+    wholes_.clear();
+  }
+
+ private:
+  // The contact that a particle had before it broke.
+  struct Whole {
+    ContactGeometry geometry;
+    History history;
+    double overlap = 0;  // of all pieces together, now [m^2]
+  };
+  // Its bodies, image and point for one of the pieces, which may not touch.
+  struct Part {
+    ContactType contact;
+    std::uint32_t whole = 0;
+    bool has_point = true;
+    ContactType* pair = nullptr;
+  };
+
+  [[nodiscard]] static bool has_body(const ContactType& contact, BodyIndex i) {
+    return contact.a == i || contact.b == i;
+  }
+  [[nodiscard]] bool is_recorded(const ContactType& pair) const {
+    return std::ranges::any_of(parts_, [&](const Part& part) {
+      return part.contact.a == pair.a && part.contact.b == pair.b &&
+             part.contact.image == pair.image;
+    });
+  }
+
+  std::vector<Part> parts_;
+  std::vector<Whole> wholes_;
+};
+
+}  // namespace riprap
