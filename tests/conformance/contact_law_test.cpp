@@ -6,6 +6,8 @@
 
 #include <riprap/conformance/contact_law.hpp>
 #include <riprap/contact/contact_law/contact_law_choice.hpp>
+#include <riprap/contact/contact_law/energy_conserving_spring.hpp>
+#include <riprap/contact/contact_law/incremental_spring.hpp>
 #include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/contact/contact_law/no_contact_force.hpp>
 #include <riprap/contact/contact_law/overlap_area_spring.hpp>
@@ -21,7 +23,7 @@ struct HertzianSpring {
   double deepest = 1e-4;
   struct History {};
   ContactForce operator()(const ContactGeometry& at, const ContactMotion&, History&) const {
-    return {.normal = stiffness * at.depth * std::sqrt(at.depth)};
+    return {.normal = stiffness * at.depth * std::sqrt(at.depth) * at.depth_gradient};
   }
   double stored_energy(const ContactGeometry& at, const History&) const {
     return 0.4 * stiffness * at.depth * at.depth * std::sqrt(at.depth);
@@ -72,6 +74,16 @@ struct SecretlyPulling {
   void validate() const {}
 };
 
+/// Takes no notice of how fast the depth grows.
+struct WithoutGradient : LinearSpringCoulomb {
+  ContactForce operator()(const ContactGeometry& geometry, const ContactMotion& motion,
+                          History& history) const {
+    ContactGeometry plain = geometry;
+    plain.depth_gradient = 1;
+    return LinearSpringCoulomb::operator()(plain, motion, history);
+  }
+};
+
 /// Its friction does not follow the member `friction`.
 struct StuckFriction : LinearSpringCoulomb {
   ContactForce operator()(const ContactGeometry& geometry, const ContactMotion& motion,
@@ -91,15 +103,19 @@ TEST_CASE("the contact laws of riprap obey the axioms") {
   CHECK(to_text(contact_law_violations(OverlapAreaSpring{})) == "");
   // So deep that the corner's chord is the longest, too.
   CHECK(to_text(contact_law_violations(OverlapAreaSpring{}, {.deepest = 0.008})) == "");
+  CHECK(to_text(contact_law_violations(EnergyConservingSpring{})) == "");
+  CHECK(to_text(contact_law_violations(IncrementalSpring{})) == "");
   CHECK(to_text(contact_law_violations(NoContactForce{})) == "");
 }
 
 TEST_CASE("a choice of contact laws obeys the axioms with each of them") {
-  using Choice =
-      ContactLawChoice<LinearSpringCoulomb, SpringDashpot, OverlapAreaSpring, NoContactForce>;
+  using Choice = ContactLawChoice<LinearSpringCoulomb, SpringDashpot, OverlapAreaSpring,
+                                  EnergyConservingSpring, IncrementalSpring, NoContactForce>;
   CHECK(to_text(contact_law_violations(Choice{LinearSpringCoulomb{}})) == "");
   CHECK(to_text(contact_law_violations(Choice{SpringDashpot{}})) == "");
   CHECK(to_text(contact_law_violations(Choice{OverlapAreaSpring{}})) == "");
+  CHECK(to_text(contact_law_violations(Choice{EnergyConservingSpring{}})) == "");
+  CHECK(to_text(contact_law_violations(Choice{IncrementalSpring{}})) == "");
   CHECK(to_text(contact_law_violations(Choice{NoContactForce{}})) == "");
   // A choice has no member that says so.
   const Violations pulling = contact_law_violations(Choice{SpringDashpot{.may_pull = true}});
@@ -148,6 +164,7 @@ TEST_CASE("a contact law that makes energy or loses it silently is found out") {
                    if (m.normal_velocity > 0) f.normal *= 0.9;
                  }),
                  balance);
+  check_violated(contact_law_violations(WithoutGradient{}), balance);
 }
 
 TEST_CASE("a contact law that does something in no time is found out") {
@@ -180,6 +197,12 @@ TEST_CASE("a contact law that knows bodies, axes or hands is found out") {
 }
 
 TEST_CASE("contact laws say the same in millimetres, grams and milliseconds") {
+  CHECK(to_text(contact_law_unit_violations(
+            EnergyConservingSpring{},
+            EnergyConservingSpring{.normal_stiffness = 2e4, .tangential_stiffness = 2e4})) == "");
+  CHECK(to_text(contact_law_unit_violations(
+            IncrementalSpring{},
+            IncrementalSpring{.normal_stiffness = 2e4, .tangential_stiffness = 2e4})) == "");
   CHECK(to_text(contact_law_unit_violations(
             LinearSpringCoulomb{},
             LinearSpringCoulomb{.normal_stiffness = 2e4, .tangential_stiffness = 2e4})) == "");

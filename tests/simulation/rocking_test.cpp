@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <riprap/contact/contact_law/spring_dashpot.hpp>
+#include <riprap/contact/narrow_phase/overlap_moments.hpp>
 #include <support/near.hpp>
 #include <support/rectangle.hpp>
 #include <support/unbreakable.hpp>
@@ -47,24 +48,20 @@ double fall_time(double angle) {
   return time;
 }
 
-// Rocks on two feet, each a hundredth of the width under a corner: on one floor the base would meet
-// it in one contact, whose force acts in the middle, and not at the corner that comes down.
+// Rocks on its own base, on a floor whose contact carries the load where the base is deepest.
 // @param side 1: released on its left corner; -1: on its right one
 Rocking rock(double side) {
   const double k = 1e8;
-  const double foot = 0.01 * width;
   const Rotation tilt = Rotation::from_angle(0.5 * side * alpha);
   const Vec2 corner{-0.5 * side * width, 0};
   const Vec2 centre = corner + tilt * (Vec2{0.5 * side * width, 0.5 * height});
-  std::vector<PlacedParticle> bodies{
-      {rectangle(centre, width, height, 0.5 * side * alpha), Motion::free}};
-  for (const double x : {-1.0, 1.0})
-    bodies.push_back(
-        {rectangle({x * (0.75 * width - foot), -0.5}, 0.5 * width, 1), Motion::prescribed});
+  const std::vector<PlacedParticle> bodies{
+      {rectangle(centre, width, height, 0.5 * side * alpha), Motion::free},
+      {rectangle({0, -0.5}, 4 * width, 1), Motion::prescribed}};
   // The dashpots leave next to no rebound.
   const SpringDashpot law{
       .normal_stiffness = k, .tangential_stiffness = k, .friction = 0.5, .damping_ratio = 0.9};
-  Simulation sim{undamped(law), of(bodies), rock_of(1)};
+  Simulation sim{undamped(law).narrow_phase(OverlapMoments{}), of(bodies), rock_of(1)};
   sim.set_body_force({0, -g});
   sim.set_time_step(0.05 * std::sqrt(width * height / k));
 
@@ -95,13 +92,14 @@ TEST_CASE("a rocking block has the period and loses the spin that Housner found"
     // alpha^2 / 6 = 1 %.
     CHECK(4 * r.quarter_period == near_relative(2.788457, 0.01));
     CHECK(r.quarter_period == near_relative(fall_time(0.5 * alpha), 1e-4));
-    // Angular momentum about the corner that comes down: 1 - 3/2 sin^2 alpha. Feet of a hundredth
-    // of the width change it by 0.2 %.
+    // Angular momentum about the corner that comes down: 1 - 3/2 sin^2 alpha, if the whole impulse
+    // acts there. Spring and dashpot act where the base is deepest on the whole while it comes
+    // down: 0.4 % more spin is left, 0.5 % with a stiffness a hundred times as large.
     const double ratio = r.spin_after / r.spin_before;
-    CHECK(ratio == near_relative(0.911765, 0.002));
-    CHECK(ratio * ratio == near_relative(0.831315, 0.004));
+    CHECK(ratio == near_relative(0.911765, 0.006));
+    CHECK(ratio * ratio == near_relative(0.831315, 0.012));
     // (1 - theta_1 / alpha)^2 = 1 - ratio^2 (1 - (1 - theta_0 / alpha)^2), linear in the angles
-    // again.
-    CHECK(r.next_peak == near_relative(1 - std::sqrt(1 - 0.831315 * 0.75), 0.01));
+    // again: 1 % for that and 1 % for the ratio.
+    CHECK(r.next_peak == near_relative(1 - std::sqrt(1 - 0.831315 * 0.75), 0.02));
   }
 }
