@@ -11,17 +11,18 @@
 #include <riprap/contact/broad_phase/uniform_grid.hpp>
 #include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
+#include <riprap/contact/narrow_phase/overlap_moments.hpp>
 
 #include "support.hpp"
 
 namespace bench {
 namespace {
 
-template <const PolygonShape& shape>
+template <const PolygonShape& shape, class Narrow>
 void narrow_phase(benchmark::State& state) {
   const std::vector<Pair> pairs = touching_pairs(shape);
-  const OverlapChord narrow;
-  std::vector<OverlapChord::Cache> memories(cycle);
+  const Narrow narrow;
+  std::vector<typename Narrow::Cache> memories(cycle);
   std::size_t i = 0;
   for (auto _ : state) {
     const auto& [a, b] = pairs[i % cycle];
@@ -88,8 +89,10 @@ void broad_phase(benchmark::State& state) {
   state.counters["pairs/box"] = static_cast<double>(pairs.size()) / static_cast<double>(count);
 }
 
-BENCHMARK(narrow_phase<blunt>)->Name("contact/narrow_phase");
-BENCHMARK(narrow_phase<sharp>)->Name("contact/narrow_phase/sharp");
+BENCHMARK(narrow_phase<blunt, OverlapChord>)->Name("contact/narrow_phase");
+BENCHMARK(narrow_phase<sharp, OverlapChord>)->Name("contact/narrow_phase/sharp");
+BENCHMARK(narrow_phase<blunt, OverlapMoments>)->Name("contact/narrow_phase/moments");
+BENCHMARK(narrow_phase<sharp, OverlapMoments>)->Name("contact/narrow_phase/moments/sharp");
 BENCHMARK(linear_spring_coulomb)->Name("contact/linear_spring_coulomb");
 BENCHMARK(broad_phase)->Name("contact/broad_phase")->Arg(500)->Arg(5000)->Arg(50000);
 

@@ -3,6 +3,8 @@
 //
 // step/no_breakage/N   polygons of 5 to 8 corners at 2 MPa, without stress in the particles; larger
 //                      samples repeat the cell of the smallest
+// step/energy_conserving/N  the same with OverlapMoments and EnergyConservingSpring, at the same
+//                      time step
 // step/breakage/P      500 sharp particles in a biaxial test at P, as examples/biaxial runs it: the
 //                      stress is checked in each at every step, and what has to break breaks. The
 //                      counters say what share of the time the checks are. Timed in the first 3 %
@@ -12,7 +14,10 @@
 // Each sample is brought to shear once, outside the timing, which takes some seconds.
 
 #include <map>
+#include <numbers>
 
+#include <riprap/contact/contact_law/energy_conserving_spring.hpp>
+#include <riprap/contact/narrow_phase/overlap_moments.hpp>
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/measurement/coordination.hpp>
 #include <riprap/measurement/step_timer.hpp>
@@ -44,12 +49,14 @@ void step_on(benchmark::State& state, Sim& sim) {
       coordination(sim.contacts(), sim.particles()).contacts_per_particle;
 }
 
-void no_breakage(benchmark::State& state) {
+template <class ModelType>
+void step_without_breakage(benchmark::State& state, const ModelType& model) {
   const auto cells = static_cast<unsigned>(state.range(0)) / 500;
   const unsigned rows = cells >= 100 ? 10 : cells >= 10 ? 2 : 1;
-  auto sim = sheared(Model{}.criterion(NeverFails{}), blunt_cell(2e6), cells / rows, rows);
+  auto sim = sheared(model.criterion(NeverFails{}), blunt_cell(2e6), cells / rows, rows);
   step_on(state, sim);
 }
+void no_breakage(benchmark::State& state) { step_without_breakage(state, Model{}); }
 BENCHMARK(no_breakage)
     ->Name("step/no_breakage")
     ->Arg(500)
@@ -58,6 +65,15 @@ BENCHMARK(no_breakage)
     ->Arg(20000)
     ->Arg(50000)
     ->Arg(100000);
+
+void energy_conserving(benchmark::State& state) {
+  // The peak stiffness is twice that of the default.
+  step_without_breakage(state, Model{}
+                                   .narrow_phase(OverlapMoments{})
+                                   .contact_law(EnergyConservingSpring{})
+                                   .time_step(MassFloor{.fraction = 0.12 * std::numbers::sqrt2}));
+}
+BENCHMARK(energy_conserving)->Name("step/energy_conserving")->Arg(500)->Arg(5000);
 
 // Keeps what a timer says at the beginning of shear.
 struct BeforeShear {

@@ -101,13 +101,16 @@ struct EdgeCap {
   N width = in.along - out.along;
   N length = square_root(squared);
   N scale = 1 / length;
+  bool has_faces;  // two vertices lie beyond the edge, in one of the queries at least
 
   [[gnu::always_inline]] explicit EdgeCap(const CornerEdgeQuery* queries)
       : start(queries, &CornerEdgeQuery::ring, &Feature::edge),
         edge({queries, &CornerEdgeQuery::ring, &Feature::edge_end}, start),
         squared(edge.x * edge.x + edge.y * edge.y),
         in(queries, start, edge, &Feature::first, &Feature::before),
-        out(queries, start, edge, &Feature::last, &Feature::after) {}
+        out(queries, start, edge, &Feature::last, &Feature::after), has_faces(false) {
+    for (std::size_t l = 0; l < lanes_of<N>; ++l) has_faces |= !queries[l].place->one_vertex();
+  }
 
   // Above margin * squared: the boundary crosses the edge twice, clearly within its ends.
   [[nodiscard, gnu::always_inline]] N crossing() const {
@@ -137,7 +140,7 @@ struct CornerEdgeOverlaps {
   N normal_x, normal_y, middle_x, middle_y, depth, chord, quadrangle;
 
   [[gnu::always_inline]] explicit CornerEdgeOverlaps(const EdgeCap<N>& cap) {
-    const auto& [start, edge, squared, in, out, width, length, scale] = cap;
+    const auto& [start, edge, squared, in, out, width, length, scale, has_faces] = cap;
     const N middle = 0.5 * (in.along + out.along) * scale * scale;
     normal_x = edge.y * scale;
     normal_y = -edge.x * scale;

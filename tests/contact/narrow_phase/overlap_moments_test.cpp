@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <riprap/core/random.hpp>
@@ -109,6 +110,26 @@ TEST_CASE("the stiffness of an upright corner follows from its opening") {
     CHECK(std::pow(contact->depth / 0.02, 2) == near_relative(stiffness, 1e-13));
     CHECK(std::pow(contact->depth_gradient, 2) == near_relative(stiffness, 1e-13));
     CHECK(contact->point.x() == near(0.1, 1e-14));
+  }
+}
+
+TEST_CASE(
+    "a corner of any opening at any tilt has the energy and the line of action of its triangle") {
+  const double depth = 0.02;
+  for (const auto& [left, right] :
+       {std::pair{0.4, 0.9}, std::pair{1.1, 0.3}, std::pair{2.2, 0.5}}) {
+    const double p = depth / std::tan(left);
+    const double q = depth / std::tan(right);
+    const double length = p + q;
+    const double sum = length * length + 2 * depth * depth + p * p + q * q;
+    const auto contact = contact_of(floor_below, tip_down({0.2, -depth}, left, right));
+    REQUIRE(contact);
+    CHECK(0.5 * std::pow(contact->depth, 2) ==
+          near_relative(std::pow(length * depth, 2) / sum, 1e-12));
+    CHECK(contact->depth * contact->depth_gradient ==
+          near_relative(2 * length * length * depth / sum, 1e-12));
+    const double from_foot = (q - p) * (depth * depth - p * q) / sum;
+    CHECK(contact->point.x() == near(0.2 + from_foot, 1e-14));
   }
 }
 

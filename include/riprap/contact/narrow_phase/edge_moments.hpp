@@ -11,17 +11,36 @@
 
 namespace riprap::internal {
 
-/// The depth of OverlapMoments, for as many pairs as N has lanes. The overlap is the quadrangle of
-/// the chord, on the edge, and the vertices beyond it, of which two may be the same. As it rests on
-/// a single edge of one body, the force acts along that edge's normal.
-template <class N>
-struct EdgeMoments {
-  N normal_x, normal_y, point_x, point_y, depth, gradient, area, chord;
+// As it rests on a single edge of one body, the force acts along that edge's normal. In the frame
+// of the edge, from the low end of the chord: along the edge, and as deep as the centroid lies.
 
-  [[gnu::always_inline]] explicit EdgeMoments(const EdgeCap<N>& cap) {
+/// One corner: a triangle.
+template <class N>
+struct TriangleMoments {
+  N along, deep, depth, gradient, area;
+
+  [[gnu::always_inline]] TriangleMoments(const EdgeCap<N>& cap, const N& chord) {
+    const N tip = cap.in.deep * cap.scale;
+    const N p = (cap.in.inside_along - cap.out.along) * cap.scale;
+    const N q = chord - p;
+    const N reciprocal = 1 / (chord * chord + 2 * tip * tip + p * p + q * q);
+    gradient = chord * square_root(N(2 * reciprocal));
+    depth = gradient * tip;
+    along = p + (q - p) * (tip * tip - p * q) * reciprocal;
+    deep = tip * (1.0 / 3);
+    area = 0.5 * chord * tip;
+  }
+};
+
+/// Two corners: the quadrangle of the chord, p after the boundary goes in and q before it comes
+/// out.
+template <class N>
+struct QuadrangleMoments {
+  N along{}, deep{}, depth{}, gradient{}, area{};
+
+  QuadrangleMoments() = default;
+  [[gnu::always_inline]] QuadrangleMoments(const EdgeCap<N>& cap, const N& chord) {
     const N& scale = cap.scale;
-    chord = cap.width * scale;
-    // Relative to the low end of the chord: p after the boundary goes in, q before it comes out.
     const N p_along = (cap.in.inside_along - cap.out.along) * scale;
     const N q_along = (cap.out.inside_along - cap.out.along) * scale;
     const N p_deep = cap.in.deep * scale;
@@ -31,56 +50,73 @@ struct EdgeMoments {
     const N second = 0.5 * (p_along * q_deep - q_along * p_deep);
     area = first + second;
     const N share = second / area;
-    const N centroid_along = (chord + p_along + share * (q_along - chord)) * (1.0 / 3);
-    const N centroid_deep = (p_deep + share * q_deep) * (1.0 / 3);
-    // Covariances: of each triangle, and of their centroids.
-    const N apart_along = q_along - chord;
+    const N centroid = (chord + p_along + share * (q_along - chord)) * (1.0 / 3);
+    deep = (p_deep + share * q_deep) * (1.0 / 3);
+    // Second moments: of each triangle about its centroid, and of their centroids.
+    const N apart = q_along - chord;
     const N between = first * share * (1.0 / 9);
     const N f = first * (1.0 / 18);
     const N s = second * (1.0 / 18);
     const N uu = f * (chord * chord + p_along * p_along - chord * p_along) +
                  s * (p_along * p_along + q_along * q_along - p_along * q_along) +
-                 between * apart_along * apart_along;
+                 between * apart * apart;
     const N vv = f * p_deep * p_deep + s * (p_deep * p_deep + q_deep * q_deep - p_deep * q_deep) +
                  between * q_deep * q_deep;
     const N uv =
         f * (p_along * p_deep - 0.5 * chord * p_deep) +
         s * (p_along * p_deep + q_along * q_deep - 0.5 * (p_along * q_deep + q_along * p_deep)) +
-        between * apart_along * q_deep;
+        between * apart * q_deep;
     const N det = uu * vv - uv * uv;
     const N trace = uu + vv;
     const N unit = 12 / (area * trace);
     // Density of the force at both ends and in the middle of the chord.
     const N of_trace = det / trace;
-    const N constant =
-        uu * centroid_deep * centroid_deep - of_trace * centroid_deep * centroid_deep - det / area;
-    const auto density = [&](const N& along) __attribute__((always_inline)) {
-      const N r = along - centroid_along;
-      return r * ((vv - of_trace) * r + 2 * uv * centroid_deep) + constant;
+    const N constant = (uu - of_trace) * deep * deep - det / area;
+    const auto density = [&](const N& at) __attribute__((always_inline)) {
+      const N r = at - centroid;
+      return r * ((vv - of_trace) * r + 2 * uv * deep) + constant;
     };
     const N low = density(N{});
-    const N middle = density(0.5 * chord);
     const N high = density(chord);
-    const N sum = low + 4 * middle + high;
-    depth = square_root(2 * unit * det);
+    const N sum = low + 4 * density(0.5 * chord) + high;
+    depth = square_root(N(2 * unit * det));
     gradient = unit * chord * sum * (1.0 / 6) / depth;
-    // Along the normal the force acts as deep as the centroid lies.
-    const N along = (cap.out.along * scale + 0.5 * chord * (1 + (high - low) / sum)) * scale;
-    const N deep = centroid_deep * scale;
-    normal_x = cap.edge.y * scale;
-    normal_y = -cap.edge.x * scale;
-    point_x = cap.start.x + along * cap.edge.x - deep * cap.edge.y;
-    point_y = cap.start.y + along * cap.edge.y + deep * cap.edge.x;
+    along = 0.5 * chord * (1 + (high - low) / sum);
+  }
+};
+
+/// Of as many pairs as N has lanes.
+template <class N>
+struct EdgeMoments {
+  const EdgeCap<N>& cap;
+  N chord = cap.width * cap.scale;
+  TriangleMoments<N> triangle{cap, chord};
+  QuadrangleMoments<N> quadrangle{};
+
+  [[gnu::always_inline]] explicit EdgeMoments(const EdgeCap<N>& edge_cap) : cap(edge_cap) {
+    if (cap.has_faces) quadrangle = QuadrangleMoments<N>(cap, chord);
   }
 
   /// The contact, with the normal out of the edge.
-  [[nodiscard, gnu::always_inline]] ContactGeometry overlap(std::size_t l, bool) const {
-    return {.normal = {lane(normal_x, l), lane(normal_y, l)},
-            .point = {lane(point_x, l), lane(point_y, l)},
-            .depth = lane(depth, l),
-            .area = lane(area, l),
+  [[nodiscard, gnu::always_inline]] ContactGeometry overlap(std::size_t l, bool one_vertex) const {
+    return one_vertex ? contact(l, triangle) : contact(l, quadrangle);
+  }
+
+ private:
+  template <class Moments>
+  [[nodiscard, gnu::always_inline]] ContactGeometry contact(std::size_t l, const Moments& m) const {
+    const double scale = lane(cap.scale, l);
+    const double x = lane(cap.edge.x, l) * scale;
+    const double y = lane(cap.edge.y, l) * scale;
+    const double along = lane(cap.out.along, l) * scale + lane(m.along, l);
+    const double deep = lane(m.deep, l);
+    return {.normal = {y, -x},
+            .point = {lane(cap.start.x, l) + along * x - deep * y,
+                      lane(cap.start.y, l) + along * y + deep * x},
+            .depth = lane(m.depth, l),
+            .area = lane(m.area, l),
             .chord = lane(chord, l),
-            .depth_gradient = lane(gradient, l)};
+            .depth_gradient = lane(m.gradient, l)};
   }
 };
 

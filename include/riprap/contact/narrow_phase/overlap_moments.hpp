@@ -9,6 +9,7 @@
 
 #include <riprap/contact/narrow_phase/classified_overlap.hpp>
 #include <riprap/contact/narrow_phase/concepts.hpp>
+#include <riprap/contact/narrow_phase/corner_moments.hpp>
 #include <riprap/contact/narrow_phase/edge_moments.hpp>
 #include <riprap/contact/narrow_phase/least_translation_contact.hpp>
 #include <riprap/contact/narrow_phase/polygon_moments.hpp>
@@ -41,15 +42,7 @@ struct OverlapMoments : ClassifiedOverlap<OverlapMoments> {
 
   [[nodiscard]] static ContactGeometry of_corners(const Vec2& corner_of_a, const Vec2& corner_of_b,
                                                   const CornerCornerOverlap& lens) {
-    OverlapPolygon polygon;
-    polygon.push(Vec2{0, 0}, {false, 0});
-    polygon.push(corner_of_a - lens.enters_a, {false, 0});
-    polygon.push(lens.leaves_a - lens.enters_a, {true, 0});
-    polygon.push(corner_of_b - lens.enters_a, {true, 0});
-    const PolygonMoments moments = polygon_moments(polygon);
-    ContactGeometry contact = contact_of(moments, lens.enters_a);
-    contact.chord = (lens.leaves_a - lens.enters_a).norm();
-    return contact;
+    return internal::corner_moments(corner_of_a, corner_of_b, lens);
   }
 
   [[nodiscard]] static ContactGeometry of_common_part(Ring a, Ring b, const CommonPart& common) {
