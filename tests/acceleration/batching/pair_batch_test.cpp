@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include <riprap/contact/contact.hpp>
 #include <riprap/contact/narrow_phase/no_overlap.hpp>
+#include <riprap/contact/pair/contact.hpp>
 
 using namespace riprap;
 

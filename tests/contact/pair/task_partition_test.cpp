@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/contact/task_partition.hpp>
+#include <riprap/contact/pair/task_partition.hpp>
 
 #include <doctest/doctest.h>
 
 #include <span>
 #include <vector>
 
-#include <riprap/contact/contact.hpp>
+#include <riprap/contact/pair/contact.hpp>
 
 using namespace riprap;
 
