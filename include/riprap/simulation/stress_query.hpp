@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include <riprap/breakage/failure_count.hpp>
+#include <riprap/breakage/failure/failure_count.hpp>
 #include <riprap/breakage/trigger/load_scale.hpp>
 #include <riprap/simulation/breakage_stage.hpp>
 #include <riprap/stress/contact_loads.hpp>

@@ -18,7 +18,7 @@
 #include <riprap/breakage/criterion/never_fails.hpp>
 #include <riprap/breakage/criterion/rankine.hpp>
 #include <riprap/breakage/criterion/rock_mass.hpp>
-#include <riprap/breakage/failure_count.hpp>
+#include <riprap/breakage/failure/failure_count.hpp>
 #include <riprap/core/random.hpp>
 #include <support/near.hpp>
 

@@ -7,7 +7,7 @@
 
 #include <riprap/breakage/criterion/criterion_choice.hpp>
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
-#include <riprap/breakage/element_failure.hpp>
+#include <riprap/breakage/failure/element_failure.hpp>
 #include <riprap/conformance/criterion.hpp>
 #include <riprap/core/units.hpp>
 #include <support/archetypes.hpp>
