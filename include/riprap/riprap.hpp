@@ -28,6 +28,7 @@
 #include <riprap/contact/narrow_phase/no_overlap.hpp>
 #include <riprap/contact/narrow_phase/separating_axis.hpp>
 #include <riprap/core/units.hpp>
+#include <riprap/core/version.hpp>
 #include <riprap/dynamics/boundary/no_boundary.hpp>
 #include <riprap/dynamics/boundary/periodic_cell.hpp>
 #include <riprap/dynamics/boundary/rigid_platens.hpp>
@@ -49,4 +50,3 @@
 #include <riprap/stress/mesher/fan_mesher.hpp>
 #include <riprap/stress/plane_state/plane_strain.hpp>
 #include <riprap/stress/support/two_pinned_contacts.hpp>
-#include <riprap/version.hpp>

@@ -7,7 +7,7 @@
 #include <boost/polygon/voronoi_diagram.hpp>
 #include <cstdint>
 
-#include <riprap/compiler.hpp>
+#include <riprap/core/compiler.hpp>
 
 namespace riprap {
 
