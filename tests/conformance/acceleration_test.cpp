@@ -28,9 +28,8 @@ struct RebuildAfterBreaks {
   };
 };
 
-// Leaves out particle 5.
+// Leaves out all particles but the first five.
 struct Negligent {
-  static constexpr bool skips_particles = true;
   template <class BreakagePart, class StressPart>
   struct State : EvaluateAll::State<BreakagePart, StressPart> {
     using Base = EvaluateAll::State<BreakagePart, StressPart>;
