@@ -29,7 +29,7 @@ struct RebuildAfterBreaks {
 };
 
 // Leaves out all particles but the first five.
-struct Negligent {
+struct FirstFive {
   template <class BreakagePart, class StressPart>
   struct State : EvaluateAll::State<BreakagePart, StressPart> {
     using Base = EvaluateAll::State<BreakagePart, StressPart>;
@@ -52,9 +52,9 @@ TEST_CASE("no result depends on what only accelerates") {
   CHECK(to_text(acceleration_violations(Model{}.screening(EvaluateAll{}))) == "");
 }
 
-TEST_CASE("a list that is rebuilt too late and a screening that leaves out too many are found") {
+TEST_CASE("a list that is rebuilt too late and a screening that leaves out too many are reported") {
   check_violated(acceleration_violations(Model{}.neighbour_list(RebuildAfterBreaks{})),
                  "contact forces are the same: difference");
-  check_violated(acceleration_violations(Model{}.screening(Negligent{})),
+  check_violated(acceleration_violations(Model{}.screening(FirstFive{})),
                  "as many particles break");
 }

@@ -19,7 +19,7 @@ struct ParticleFailure {
   FailureCount failures;
 };
 
-/// Of particle i under `loads`, divided by its strength for triggers that know one.
+/// Of particle i under `loads`, divided by its strength for triggers that have one.
 /// @param breakage offers `criterion` and `trigger`
 /// @param support of the particle, @param op its influence operator
 /// @param evaluate keeps the stress

@@ -19,7 +19,7 @@ using riprap::test::near;
 
 namespace {
 
-// The smallest criterion: two functions, and nothing that a user could forget. A straight line of
+// The smallest criterion: two functions, and no other member. A straight line of
 // slope 3, that is c = 10 MPa and phi = 30 degrees.
 struct StraightLine {
   double major_stress_at_failure(double minor) const { return 3 * minor + 20e6 * std::sqrt(3.0); }

@@ -10,7 +10,8 @@
 
 using namespace riprap;
 
-TEST_CASE("a task has the pairs of its first bodies, and knows those that reach into it") {
+TEST_CASE(
+    "a task has the pairs of its first bodies, and those of earlier tasks that reach into it") {
   struct None {};
   using Pair = Contact<None, None>;
   constexpr BodyIndex t = task_size;
