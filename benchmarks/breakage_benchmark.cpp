@@ -10,7 +10,7 @@
 #include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
 #include <riprap/breakage/criterion/murrell.hpp>
-#include <riprap/breakage/failure_count.hpp>
+#include <riprap/breakage/failure/failure_count.hpp>
 #include <riprap/breakage/line_fit/weighted_xy.hpp>
 #include <riprap/breakage/splitter/straight_cut.hpp>
 

@@ -11,7 +11,7 @@ function(riprap_example_part name)
   add_library(${name} STATIC EXCLUDE_FROM_ALL ${part_SOURCES})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/examples)
   target_link_libraries(${name} PUBLIC ${part_LIBRARIES})
-  riprap_developer_target(${name})
+  riprap_developer_target(${name} COMPILED)
   # Compiling takes longer than running.
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()

@@ -49,7 +49,7 @@ quietly() { into_log "$@" || fail "$@"; }
 has_compiler() {
   local compiler
   read -ra compiler <<<"${CXX:-c++}"
-  "${compiler[@]}" -std=c++20 -fsyntax-only -x c++ "$root/include/riprap/compiler.hpp" >/dev/null 2>&1
+  "${compiler[@]}" -std=c++20 -fsyntax-only -x c++ "$root/include/riprap/core/compiler.hpp" >/dev/null 2>&1
 }
 
 has_cmake() {

@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include <riprap/breakage/criterion/hoek_brown.hpp>
-#include <riprap/breakage/element_failure.hpp>
+#include <riprap/breakage/failure/element_failure.hpp>
 #include <riprap/geometry/convex_polygon.hpp>
 #include <riprap/geometry/cut.hpp>
 #include <riprap/geometry/overlap.hpp>

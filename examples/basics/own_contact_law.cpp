@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // own_contact_law: a contact law of one's own with a history; restitution beside sqrt(k1 / k2)
-// A law gives the force of a contact from its geometry, its motion and what it remembers.
+// A law gives the force of a contact from its geometry, its motion and its history.
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <set>
 #include <stdexcept>
 
-#include <riprap/version.hpp>
+#include <riprap/core/version.hpp>
 
 namespace command_line {
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include <riprap/core/errors.hpp>
-#include <riprap/version.hpp>
+#include <riprap/core/version.hpp>
 
 #include "option_names.hpp"
 

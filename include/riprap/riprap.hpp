@@ -31,6 +31,7 @@
 #include <riprap/contact/narrow_phase/overlap_moments.hpp>
 #include <riprap/contact/narrow_phase/separating_axis.hpp>
 #include <riprap/core/units.hpp>
+#include <riprap/core/version.hpp>
 #include <riprap/dynamics/boundary/no_boundary.hpp>
 #include <riprap/dynamics/boundary/periodic_cell.hpp>
 #include <riprap/dynamics/boundary/rigid_platens.hpp>
@@ -52,4 +53,3 @@
 #include <riprap/stress/mesher/fan_mesher.hpp>
 #include <riprap/stress/plane_state/plane_strain.hpp>
 #include <riprap/stress/support/two_pinned_contacts.hpp>
-#include <riprap/version.hpp>

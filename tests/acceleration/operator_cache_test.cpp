@@ -25,7 +25,7 @@ auto builder(const Particles& particles, BodyIndex i) {
 
 }  // namespace
 
-TEST_CASE("an operator is built once and forgotten with its particle") {
+TEST_CASE("an operator is built once and discarded with its particle") {
   const Particles particles = row_of_triangles(1);
   OperatorCache::State store;
   CHECK(store.bytes() == 0);

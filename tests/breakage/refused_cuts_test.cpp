@@ -9,7 +9,7 @@
 
 using namespace riprap;
 
-TEST_CASE("a refused cut is known by the ids of the partners, whatever their order") {
+TEST_CASE("a refused cut is identified by the ids of the partners, whatever their order") {
   const Particles particles = test::four_triangles();
   using Loads = std::vector<ContactLoad>;
   const auto from = [](BodyIndex partner) { return ContactLoad{.partner = partner}; };

@@ -30,7 +30,7 @@ TEST_CASE("the body forces of riprap obey the axioms") {
   CHECK(to_text(body_force_violations(UniformBodyForce{{0, -9.81}})) == "");
 }
 
-TEST_CASE("what breaks an axiom of body forces is found") {
+TEST_CASE("what breaks an axiom of body forces is reported") {
   check_violated(body_force_violations(ConstantForce{}),
                  "a body force is proportional to the mass: difference [m/s^2]");
   check_violated(body_force_violations(Unbounded{}), "the acceleration is finite");

@@ -121,7 +121,7 @@ TEST_CASE("users' boundaries obey the axioms") {
   CHECK(to_text(boundary_violations(test::archetype::SampleBoundary{1}, ring)) == "");
 }
 
-TEST_CASE("a boundary that meddles with bodies is found out") {
+TEST_CASE("a boundary that changes other bodies than its own is reported") {
   check_violated(violations_of([](Body& b) { b.velocity *= 0.999; }),
                  "drive leaves free bodies alone");
   check_violated(violations_of([](Body& b) { b.angular_velocity = 0; }),
@@ -139,7 +139,7 @@ TEST_CASE("a boundary that meddles with bodies is found out") {
                  "drive neither adds bodies nor takes any away");
 }
 
-TEST_CASE("a boundary that strains at other rates than were set is found out") {
+TEST_CASE("a boundary that strains at other rates than were set is reported") {
   const Violations swapped = boundary_violations(SwappedAxes{}, ring);
   check_violated(swapped, "axis 1 shortens at its rate");
   check_violated(swapped, "axis 2 shortens at its rate");
@@ -159,7 +159,7 @@ TEST_CASE("a boundary that strains at other rates than were set is found out") {
   check_violated(boundary_violations(Measured<FullAxes>{}, ring), "axis 1 shortens at its rate");
 }
 
-TEST_CASE("a boundary that measures its region wrongly is found out") {
+TEST_CASE("a boundary that measures its region wrongly is reported") {
   check_violated(boundary_violations(Measured<Whole>{}, ring),
                  "the solid area is no more than that of the region");
   check_violated(boundary_violations(Measured<Empty>{}, ring),

@@ -118,7 +118,7 @@ TEST_CASE("a user's broad phase obeys the axioms") {
   CHECK(to_text(broad_phase_violations(SortedSweep{})) == "");
 }
 
-TEST_CASE("a broad phase that misses pairs is found out") {
+TEST_CASE("a broad phase that misses pairs is reported") {
   const std::string_view missed = "no pair of boxes that meet is missed: pairs missed";
   check_violated(violations_of([](auto&& visit, auto i, auto j, int n) {
                    if (n != 100) visit(i, j);
@@ -127,7 +127,7 @@ TEST_CASE("a broad phase that misses pairs is found out") {
   check_violated(broad_phase_violations(OpenBoxes{}), missed);
 }
 
-TEST_CASE("a broad phase that visits too many pairs, or some twice, is found out") {
+TEST_CASE("a broad phase that visits too many pairs, or some twice, is reported") {
   check_violated(broad_phase_violations(EveryPair{}),
                  "boxes that keep apart are no pair: pairs too many");
   check_violated(violations_of([](auto&& visit, auto i, auto j, int n) {
@@ -137,7 +137,7 @@ TEST_CASE("a broad phase that visits too many pairs, or some twice, is found out
                  "every pair is visited once: visits");
 }
 
-TEST_CASE("a broad phase without order is found out") {
+TEST_CASE("a broad phase without order is reported") {
   check_violated(violations_of([](auto&& visit, auto i, auto j, int n) {
                    n == 100 ? visit(j, i) : visit(i, j);
                  }),
@@ -146,13 +146,13 @@ TEST_CASE("a broad phase without order is found out") {
                  "the order of visits depends on the boxes only");
 }
 
-TEST_CASE("a broad phase whose memory changes its pairs is found out") {
+TEST_CASE("a broad phase whose pairs depend on earlier calls is reported") {
   const Violations violations = broad_phase_violations(NeverForgets{});
   check_violated(violations, "what it keeps from search to search changes no pair");
   CHECK(violations.size() == 1);
 }
 
-TEST_CASE("a broad phase with a negative skin is found out") {
+TEST_CASE("a broad phase with a negative skin is reported") {
   check_violated(broad_phase_violations(AllPairs{.relative_skin = -0.1}),
                  "the skin is not negative");
 }

@@ -129,20 +129,20 @@ TEST_CASE("a user's contact law obeys the axioms as deep as it is meant for") {
                  "the force rises no faster than by the peak stiffness");
 }
 
-TEST_CASE("a contact law with forces at no depth is found out") {
+TEST_CASE("a contact law with forces at no depth is reported") {
   check_violated(violations_of([](auto& f, auto&, auto&) { f.normal += 1; }),
                  "no depth, no normal force");
   check_violated(violations_of([](auto& f, auto&, auto&) { f.tangential += 1; }),
                  "no depth, no tangential force");
 }
 
-TEST_CASE("a contact law stiffer than it says is found out") {
+TEST_CASE("a contact law stiffer than its peak stiffness is reported") {
   check_violated(violations_of([](auto& f, auto&, auto&) { f.normal *= 1.01; }),
                  "the force rises no faster than by the peak stiffness");
   check_violated(contact_law_violations(WithoutStiffness{}), "the peak stiffness is above zero");
 }
 
-TEST_CASE("a contact law with tension or too much shear is found out") {
+TEST_CASE("a contact law with tension or too much shear is reported") {
   check_violated(contact_law_violations(SecretlyPulling{}), "a contact never pulls");
   check_violated(violations_of([](auto& f, auto&, auto&) { f.tangential *= 1.01; }),
                  "shear is at most friction times the normal force");
@@ -150,7 +150,7 @@ TEST_CASE("a contact law with tension or too much shear is found out") {
                  "shear is at most friction times the normal force");
 }
 
-TEST_CASE("a contact law that makes energy or loses it silently is found out") {
+TEST_CASE("a contact law that makes energy, or loses more than it books, is reported") {
   check_violated(violations_of([](auto& f, auto&, auto&) { f.friction_loss = -f.friction_loss; }),
                  "slip never gives energy");
   check_violated(violations_of([](auto& f, auto&, auto&) { f.viscous_loss = -1e-12; }),
@@ -167,7 +167,7 @@ TEST_CASE("a contact law that makes energy or loses it silently is found out") {
   check_violated(contact_law_violations(WithoutGradient{}), balance);
 }
 
-TEST_CASE("a contact law that does something in no time is found out") {
+TEST_CASE("a contact law that changes something in a time step of zero is reported") {
   check_violated(violations_of([](auto& f, auto&, auto& m) {
                    if (m.time_step == 0) f.normal *= 0.999;
                  }),
@@ -182,7 +182,7 @@ TEST_CASE("a contact law that does something in no time is found out") {
                  "without time nothing is lost");
 }
 
-TEST_CASE("a contact law that knows bodies, axes or hands is found out") {
+TEST_CASE("a contact law that depends on body order, axes or handedness is reported") {
   check_violated(violations_of([](auto& f, auto& g, auto&) {
                    if (g.normal.x() < 0) f.normal *= 0.999;
                  }),
@@ -196,7 +196,7 @@ TEST_CASE("a contact law that knows bodies, axes or hands is found out") {
       "a mirrored contact has the mirrored force");
 }
 
-TEST_CASE("contact laws say the same in millimetres, grams and milliseconds") {
+TEST_CASE("contact laws give the same in millimetres, grams and milliseconds") {
   CHECK(to_text(contact_law_unit_violations(
             EnergyConservingSpring{},
             EnergyConservingSpring{.normal_stiffness = 2e4, .tangential_stiffness = 2e4})) == "");
@@ -225,7 +225,7 @@ TEST_CASE("NoContactForce has a peak stiffness of its own, and nothing else") {
   CHECK(violations.size() == 1);
 }
 
-TEST_CASE("a contact law with numbers of its own is found out in other units") {
+TEST_CASE("a contact law with numbers of its own is reported in other units") {
   const Violations unchanged =
       contact_law_unit_violations(LinearSpringCoulomb{}, LinearSpringCoulomb{});
   check_violated(unchanged, "the peak stiffness is the same in other units");

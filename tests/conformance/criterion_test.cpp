@@ -82,7 +82,7 @@ TEST_CASE("a user's criterion obeys the axioms") {
   CHECK(to_text(criterion_violations(Tresca{}, 300e6)) == "");
 }
 
-TEST_CASE("a criterion without the strengths that it declares is found out") {
+TEST_CASE("a criterion without the strengths that it declares is reported") {
   check_violated(criterion_violations(Rankine{.tension = 0}), "the tensile strength is above zero");
   check_violated(criterion_violations(Rankine{.tension = -12e6}),
                  "at the tensile strength the safety factor is 1");
@@ -90,20 +90,20 @@ TEST_CASE("a criterion without the strengths that it declares is found out") {
                  "at the uniaxial compressive strength the safety factor is 1");
 }
 
-TEST_CASE("a criterion with an impossible curve is found out") {
+TEST_CASE("a criterion with an impossible curve is reported") {
   check_violated(criterion_violations(Flattening{}), "the curve rises at least as fast as sigma_3");
   check_violated(criterion_violations(Crushing{}),
                  "equal stresses fail in tension only: major stress at failure");
   check_violated(criterion_violations(Unfinished{}), "the major stress at failure is a number");
 }
 
-TEST_CASE("a criterion with an impossible friction angle is found out") {
+TEST_CASE("a criterion with an impossible friction angle is reported") {
   check_violated(criterion_violations(GivenAngle{{}, -0.1}), "the friction angle is not negative");
   check_violated(criterion_violations(GivenAngle{{}, 0.5 * std::numbers::pi}),
                  "the friction angle is below a right one");
 }
 
-TEST_CASE("criteria say the same in millimetres, grams and milliseconds") {
+TEST_CASE("criteria give the same in millimetres, grams and milliseconds") {
   CHECK(to_text(criterion_unit_violations(HoekBrown{}, HoekBrown{.compressive_strength = 300})) ==
         "");
   CHECK(to_text(criterion_unit_violations(
@@ -123,7 +123,7 @@ TEST_CASE("criteria say the same in millimetres, grams and milliseconds") {
   CHECK(to_text(criterion_unit_violations(Griffith{}, Griffith{.tension = 12})) == "");
 }
 
-TEST_CASE("a criterion with a stress of its own is found out in other units") {
+TEST_CASE("a criterion with a stress of its own is reported in other units") {
   check_violated(criterion_unit_violations(Flattening{}, Flattening{}),
                  "the tensile strength is the same in other units");
   check_violated(criterion_unit_violations(Tresca{}, Tresca{.tension = 12}),

@@ -50,7 +50,7 @@ TEST_CASE("a user's damping obeys the axioms") {
   CHECK(to_text(damping_violations(QuadraticDrag{})) == "");
 }
 
-TEST_CASE("a damping that drives bodies is found out") {
+TEST_CASE("a damping that drives bodies is reported") {
   const std::string_view power = "damping never puts energy into a body: its power [W]";
   check_violated(damping_violations(QuadraticDrag{.coefficient = -1e-9}), power);
   check_violated(damping_violations(WeakerLoad{}), power);

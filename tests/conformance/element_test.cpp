@@ -62,19 +62,19 @@ TEST_CASE("a user's element obeys the axioms") {
   CHECK(to_text(element_violations(LumpedTriangle{})) == "");
 }
 
-TEST_CASE("an element that is strained by rigid motion is found out") {
+TEST_CASE("an element that is strained by rigid motion is reported") {
   check_violated(with_strain([](auto& b) { b(0, 0) *= 1.001; }), "a shift causes no strain");
   // The shear of the one direction without that of the other.
   check_violated(with_strain([](auto& b) { b(2, 0) = b(2, 2) = b(2, 4) = 0; }),
                  "a small turn causes no strain");
 }
 
-TEST_CASE("an element with the wrong strain is found out") {
+TEST_CASE("an element with the wrong strain is reported") {
   check_violated(with_strain([](auto& b) { b.row(2) *= 0.5; }),
                  "linear displacements have their uniform strain");
 }
 
-TEST_CASE("an element with the wrong mass is found out") {
+TEST_CASE("an element with the wrong mass is reported") {
   check_violated(with_mass([](auto& m) { m *= 1.001; }), "the mass matrix sums to the area");
   check_violated(with_mass([](auto& m) { m(0, 1) *= 1.001; }), "the mass matrix is symmetric");
   check_violated(with_mass([](auto& m) {

@@ -108,7 +108,7 @@ TEST_CASE("a user's execution obeys the axioms") {
   CHECK(to_text(execution_violations(LastToFirst{})) == "");
 }
 
-TEST_CASE("an execution that leaves a task out, or repeats one, is found out") {
+TEST_CASE("an execution that leaves a task out, or repeats one, is reported") {
   check_violated(violations_of([](auto&& work, auto k, auto tasks) {
                    if (k + 1 < tasks) work(k);
                  }),
@@ -120,18 +120,18 @@ TEST_CASE("an execution that leaves a task out, or repeats one, is found out") {
                  "no task is done twice: tasks repeated");
 }
 
-TEST_CASE("an execution that calls for what is no task is found out") {
+TEST_CASE("an execution that calls for what is no task is reported") {
   const std::string_view axiom = "nothing else is done: calls that are no task";
   check_violated(violations_of([](auto&& work, auto k, auto) { work(k + 1); }), axiom);
   check_violated(execution_violations(AtLeastOne{}), axiom);
 }
 
-TEST_CASE("an execution that does not wait is found out") {
+TEST_CASE("an execution that does not wait is reported") {
   check_violated(execution_violations(Impatient{}),
                  "run returns when all tasks are done: tasks that were");
 }
 
-TEST_CASE("an execution that loses an exception, or takes another one, is found out") {
+TEST_CASE("an execution that loses an exception, or takes another one, is reported") {
   const std::string_view axiom = "of all exceptions that of the lowest task comes out: task";
   check_violated(violations_of([](auto&& work, auto k, auto) {
                    try {

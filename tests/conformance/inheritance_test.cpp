@@ -40,7 +40,7 @@ TEST_CASE("the inheritance of riprap obeys the axioms and conserves momentum") {
   CHECK(to_text(inheritance_momentum_violations(RigidField{})) == "");
 }
 
-TEST_CASE("AtRest obeys the axioms, and stops the pieces as it means to") {
+TEST_CASE("AtRest obeys the axioms, and leaves the pieces at rest") {
   CHECK(to_text(inheritance_violations(AtRest{})) == "");
   const Violations stopped = inheritance_momentum_violations(AtRest{});
   check_violated(stopped, "the momentum of the pieces is the parent's: difference [N s]");
@@ -49,20 +49,19 @@ TEST_CASE("AtRest obeys the axioms, and stops the pieces as it means to") {
   CHECK(stopped.size() == 3);
 }
 
-TEST_CASE(
-    "a user's inheritance obeys the axioms, and loses the angular momentum it means to lose") {
+TEST_CASE("a user's inheritance obeys the axioms, and may lose angular momentum") {
   CHECK(to_text(inheritance_violations(WithoutSpin{})) == "");
   const Violations lost = inheritance_momentum_violations(WithoutSpin{});
   check_violated(lost, "the angular momentum of the pieces is the parent's: difference [N m s]");
   CHECK(lost.size() == 1);
 }
 
-TEST_CASE("an inheritance that makes energy is found out") {
+TEST_CASE("an inheritance that makes energy is reported") {
   check_violated(violations_of([](const Body&, Body& piece) { piece.angular_velocity *= 1.001; }),
                  "pieces have no more kinetic energy than their parent: gain [J]");
 }
 
-TEST_CASE("an inheritance that changes more than velocities is found out") {
+TEST_CASE("an inheritance that changes more than velocities is reported") {
   check_violated(violations_of([](const Body& parent, Body& piece) {
                    piece.position += 1e-9 * parent.velocity;
                  }),

@@ -134,7 +134,7 @@ TEST_CASE("an integrator that leaves out turning breaks that axiom, and no other
   CHECK(violations.size() == 2);
 }
 
-TEST_CASE("an integrator of another order than it declares is found out") {
+TEST_CASE("an integrator of another order than it declares is reported") {
   check_violated(integrator_violations(ClaimsSecondOrder{}), "motion has the declared order");
   check_violated(integrator_violations(TurnsToFirstOrder{}), "turning has the declared order");
   // The same error in every step, however short.
@@ -142,7 +142,7 @@ TEST_CASE("an integrator of another order than it declares is found out") {
                  "motion has the declared order");
 }
 
-TEST_CASE("an integrator that pushes or turns bodies on its own is found out") {
+TEST_CASE("an integrator that pushes or turns bodies on its own is reported") {
   check_violated(violations_of([](Body& b) { b.velocity *= 0.999; }),
                  "a body without load keeps its velocity");
   check_violated(violations_of([](Body& b) { b.angular_velocity *= 0.999; }),
@@ -157,19 +157,19 @@ TEST_CASE("an integrator that pushes or turns bodies on its own is found out") {
                  "a rotation stays one");
 }
 
-TEST_CASE("an integrator whose work is not what is booked for it is found out") {
+TEST_CASE("an integrator whose work is not what is booked for it is reported") {
   const std::string_view work = "kinetic energy changes by the work over the mean velocity";
   check_violated(integrator_violations(LateKick{}), work);
   check_violated(violations_of([](Body& b) { b.velocity *= 0.999; }), work);
 }
 
-TEST_CASE("an integrator that overlooks the mass scaling is found out") {
+TEST_CASE("an integrator that ignores the mass scaling is reported") {
   const Violations violations = integrator_violations(TrueMass{});
   check_violated(violations, "scaled mass is mass in motion");
   check_violated(violations, "scaled inertia is inertia in turning");
 }
 
-TEST_CASE("an integrator that changes the mass of a body is found out") {
+TEST_CASE("an integrator that changes the mass of a body is reported") {
   check_violated(violations_of([](Body& b) { b.mass *= b.mass_scaling; }), "the true mass stays");
   check_violated(violations_of([](Body& b) { b.inertia *= b.mass_scaling; }),
                  "the true inertia stays");

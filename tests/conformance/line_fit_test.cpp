@@ -77,7 +77,7 @@ TEST_CASE("least squares are exact on points on a straight line, given direction
   check_violated(line_fit_collinear_violations(AlongBedding{}), exact);
 }
 
-TEST_CASE("fits that know no axes turn with the points, those of X and Y do not") {
+TEST_CASE("fits without preferred axes turn with the points, those of X and Y do not") {
   CHECK(to_text(line_fit_rotation_violations(TotalLeastSquares{})) == "");
   CHECK(to_text(line_fit_rotation_violations(FailurePlaneThroughCentroid{})) == "");
   CHECK(to_text(line_fit_rotation_violations(NoLine{})) == "");
@@ -90,7 +90,7 @@ TEST_CASE("fits that know no axes turn with the points, those of X and Y do not"
   check_violated(line_fit_rotation_violations(AlongBedding{}), turned);
 }
 
-TEST_CASE("a line fit whose line is none, or beside the points, is found out") {
+TEST_CASE("a line fit whose line is none, or beside the points, is reported") {
   check_violated(violations_of([](Line& line, auto) { line.direction *= 2; }),
                  "the direction is a unit vector");
   check_violated(
@@ -98,7 +98,7 @@ TEST_CASE("a line fit whose line is none, or beside the points, is found out") {
       "the line runs among the points: reach on its other side");
 }
 
-TEST_CASE("a line fit that knows places or lengths is found out") {
+TEST_CASE("a line fit that depends on place or unit of length is reported") {
   check_violated(violations_of([](Line& line, auto) { line.point *= 1.001; }),
                  "shifted points have the shifted line");
   check_violated(
@@ -106,7 +106,7 @@ TEST_CASE("a line fit that knows places or lengths is found out") {
       "in other units of length the line is the same");
 }
 
-TEST_CASE("a line fit that takes weights or order for more than they are is found out") {
+TEST_CASE("a line fit that depends on the size of the weights or on order is reported") {
   check_violated(violations_of([](Line& line, auto points) {
                    line.point += 1e-6 * points[0].weight * perpendicular(line.direction);
                  }),

@@ -86,7 +86,7 @@ TEST_CASE("users' meshers obey the axioms") {
   CHECK(to_text(mesher_unit_violations(ByTheMillimetre{}, ByTheMillimetre{.edge = 1})) == "");
 }
 
-TEST_CASE("a mesher that does not cover the polygon is found out") {
+TEST_CASE("a mesher that does not cover the polygon is reported") {
   const Violations gap = violations_of([](Mesh& mesh) { mesh.triangles.pop_back(); });
   check_violated(gap, "the triangles have the area of the polygon");
   check_violated(gap, "the triangles have the centroid of the polygon");
@@ -94,13 +94,13 @@ TEST_CASE("a mesher that does not cover the polygon is found out") {
   check_violated(gap, "triangles join edge to edge");
 }
 
-TEST_CASE("a mesher with triangles the wrong way round is found out") {
+TEST_CASE("a mesher with triangles the wrong way round is reported") {
   check_violated(
       violations_of([](Mesh& mesh) { std::swap(mesh.triangles[0][0], mesh.triangles[0][1]); }),
       "triangles are counter-clockwise: area");
 }
 
-TEST_CASE("a mesher that loses the boundary is found out") {
+TEST_CASE("a mesher that loses the boundary is reported") {
   check_violated(violations_of([](Mesh& mesh) { mesh.corners.pop_back(); }),
                  "every vertex of the polygon is a corner, vertex 0 node 0");
   check_violated(violations_of([](Mesh& mesh) { std::swap(mesh.corners[1], mesh.corners[2]); }),
@@ -109,7 +109,7 @@ TEST_CASE("a mesher that loses the boundary is found out") {
                  "boundary nodes divide each edge evenly: distance from their place");
 }
 
-TEST_CASE("a mesher with a length of its own is found out in other units") {
+TEST_CASE("a mesher with a length of its own is reported in other units") {
   check_violated(mesher_unit_violations(ByTheMillimetre{}, ByTheMillimetre{}),
                  "triangles are the same in other units");
   check_violated(mesher_unit_violations(DividedEdge{.share = 0.5}, DividedEdge{.share = 0.4}),

@@ -97,12 +97,12 @@ TEST_CASE("a user's narrow phase obeys the axioms") {
   CHECK(to_text(narrow_phase_unit_violations(SoftSkin{}, SoftSkin{.thickness = 0.1})) == "");
 }
 
-TEST_CASE("a narrow phase with contacts at a distance is found out") {
+TEST_CASE("a narrow phase with contacts at a distance is reported") {
   check_violated(narrow_phase_violations(AlwaysTouching{}),
                  "rings that keep apart have no contact");
 }
 
-TEST_CASE("a narrow phase with impossible contacts is found out") {
+TEST_CASE("a narrow phase with impossible contacts is reported") {
   check_violated(violations_of([](auto& c, Ring, Ring) { c.normal *= 1 + 1e-9; }),
                  "the normal is a unit vector");
   check_violated(violations_of([](auto& c, Ring, Ring) { c.depth -= 1e-3; }),
@@ -117,7 +117,7 @@ TEST_CASE("a narrow phase with impossible contacts is found out") {
                  "the normal points from a to b: overlap after a shift of b along it [m^2]");
 }
 
-TEST_CASE("a narrow phase that treats its bodies unlike is found out") {
+TEST_CASE("a narrow phase that treats its bodies unlike is reported") {
   const std::string_view swapped = "swapped rings have the opposite normal, and all else the same";
   check_violated(violations_of([](auto& c, Ring a, Ring b) {
                    if (a.size() > b.size()) c.depth *= 1.001;
@@ -131,7 +131,7 @@ TEST_CASE("a narrow phase that treats its bodies unlike is found out") {
       swapped);
 }
 
-TEST_CASE("a narrow phase that knows axes or places is found out") {
+TEST_CASE("a narrow phase that depends on axes or places is reported") {
   const std::string_view moved = "rings moved and turned have the contact moved and turned";
   check_violated(violations_of([](auto& c, Ring, Ring) { c.point *= 1 + 1e-6; }), moved);
   check_violated(
@@ -142,15 +142,15 @@ TEST_CASE("a narrow phase that knows axes or places is found out") {
       moved);
 }
 
-TEST_CASE("a narrow phase whose memory decides is found out") {
+TEST_CASE("a narrow phase whose result depends on its cache is reported") {
   check_violated(narrow_phase_violations(TrustsCache{}), "memory never changes the answer");
 }
 
-TEST_CASE("a narrow phase with a length of its own is found out in other units") {
+TEST_CASE("a narrow phase with a length of its own is reported in other units") {
   check_violated(narrow_phase_unit_violations(SoftSkin{}, SoftSkin{}),
                  "a contact is the same in other units");
 }
 
-TEST_CASE("a narrow phase whose batches give other contacts is found out") {
+TEST_CASE("a narrow phase whose batches give other contacts is reported") {
   check_violated(narrow_phase_violations(WrongBatch{}), "a batch changes no contact");
 }

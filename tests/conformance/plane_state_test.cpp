@@ -72,19 +72,19 @@ TEST_CASE("a user's plane state obeys the axioms, and its bedding is not isotrop
   CHECK(to_text(plane_state_hooke_violations(BeddedRock{.ratio = 1})) == "");
 }
 
-TEST_CASE("a plane state without an energy is found out") {
+TEST_CASE("a plane state without an energy is reported") {
   check_violated(violations_of([](auto& d, const Rock&) { d(0, 1) *= 1.001; }),
                  "elasticity is symmetric");
   check_violated(violations_of([](auto& d, const Rock&) { d(2, 2) = -d(2, 2); }),
                  "strain stores energy: smallest eigenvalue over Young's modulus");
 }
 
-TEST_CASE("a plane state with a modulus of its own is found out") {
+TEST_CASE("a plane state with a modulus of its own is reported") {
   check_violated(violations_of([](auto& d, const Rock&) { d(2, 2) += 1e3; }),
                  "elasticity is proportional to Young's modulus");
 }
 
-TEST_CASE("a plane state with the wrong stress out of the plane is found out") {
+TEST_CASE("a plane state with the wrong stress out of the plane is reported") {
   check_violated(plane_state_violations(Squeezed{}),
                  "the out-of-plane stress is proportional to the stress in the plane");
   check_violated(plane_state_hooke_violations(UnheldStrain{}),

@@ -68,7 +68,7 @@ TEST_CASE("a user's model gives the same simulation in other units") {
         "");
 }
 
-TEST_CASE("a model with a number of its own is found out") {
+TEST_CASE("a model with a number of its own is reported") {
   check_violated(simulation_unit_violations(
                      model(), model_in_other_units().contact_law(LinearSpringCoulomb{})),
                  "time is the same in other units");

@@ -80,7 +80,7 @@ TEST_CASE("a user's splitter obeys the axioms") {
   CHECK(to_text(splitter_unit_violations(FairCut{}, FairCut{})) == "");
 }
 
-TEST_CASE("a splitter that loses or moves rock is found out") {
+TEST_CASE("a splitter that loses or moves rock is reported") {
   check_violated(violations_of([](CutRings& parts) { parts.left[0] *= 1 + 1e-9; }),
                  "the areas of the pieces add up to the whole");
   check_violated(violations_of([](CutRings& parts) {
@@ -89,7 +89,7 @@ TEST_CASE("a splitter that loses or moves rock is found out") {
                  "the pieces lie where the whole lay: way of their common centroid");
 }
 
-TEST_CASE("a splitter with pieces that are no convex rings is found out") {
+TEST_CASE("a splitter with pieces that are no convex rings is reported") {
   check_violated(
       violations_of([](CutRings& parts) { std::reverse(parts.left.begin(), parts.left.end()); }),
       "a piece is convex and counter-clockwise");
@@ -97,7 +97,7 @@ TEST_CASE("a splitter with pieces that are no convex rings is found out") {
                  "a piece has corners");
 }
 
-TEST_CASE("a splitter that confuses left and right is found out") {
+TEST_CASE("a splitter that exchanges left and right is reported") {
   const Violations swapped =
       violations_of([](CutRings& parts) { std::swap(parts.left, parts.right); });
   check_violated(swapped, "the left piece lies on the left");
@@ -106,7 +106,7 @@ TEST_CASE("a splitter that confuses left and right is found out") {
   check_violated(splitter_violations(CutsBeside{}), "a line turned end for end swaps the pieces");
 }
 
-TEST_CASE("a splitter with a length of its own is found out in other units") {
+TEST_CASE("a splitter with a length of its own is reported in other units") {
   check_violated(splitter_unit_violations(OneSided{}, OneSided{}),
                  "what is cut in one unit is cut in another");
   check_violated(splitter_unit_violations(CutsBeside{.width = 1e-3}, CutsBeside{.width = 1e-3}),

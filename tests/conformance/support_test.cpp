@@ -60,13 +60,13 @@ TEST_CASE("a choice of supports obeys the axioms and keeps the balance with each
   }
 }
 
-TEST_CASE("a user's support obeys the axioms, and leaves out loads as it means to") {
+TEST_CASE("a user's support obeys the axioms, and may leave out loads") {
   CHECK(to_text(support_violations(StrongContactsOnly{})) == "");
   check_violated(support_balance_violations(StrongContactsOnly{}),
                  "forces in balance stay in balance: sum [N]");
 }
 
-TEST_CASE("a support that moves loads or adds some of its own is found out") {
+TEST_CASE("a support that moves loads or adds some of its own is reported") {
   check_violated(support_violations(altered([](BoundaryLoad& l) { l.at.weight *= 0.9; })),
                  "loads stay where they act: way");
   check_violated(support_violations(altered([](BoundaryLoad& l) {
@@ -75,14 +75,14 @@ TEST_CASE("a support that moves loads or adds some of its own is found out") {
                  "without loads there are no reactions");
 }
 
-TEST_CASE("a support with a force of its own is found out") {
+TEST_CASE("a support with a force of its own is reported") {
   check_violated(support_violations(altered([](BoundaryLoad& l) {
                    if (l.normal_force < 100) l.force_body = Vec2{0, 0};
                  })),
                  "three times the loads have three times the reactions");
 }
 
-TEST_CASE("a support that turns the particle is found out") {
+TEST_CASE("a support that turns the particle is reported") {
   check_violated(support_balance_violations(
                      altered([](BoundaryLoad& l) { l.force_body = perpendicular(l.force_body); })),
                  "moments in balance stay in balance: sum [N m]");

@@ -46,7 +46,7 @@ TEST_CASE("a user's time-step rule obeys the axioms for the mass and stiffness i
                  "the smallest intact particle on a contact's spring is stable");
 }
 
-TEST_CASE("a time-step rule that cannot work is found out") {
+TEST_CASE("a time-step rule that cannot work is reported") {
   check_violated(time_step_violations(GivenStep{.seconds = 0}), "the time step is above zero");
   check_violated(time_step_violations(GivenStep{.seconds = std::nan("")}),
                  "the time step is above zero");

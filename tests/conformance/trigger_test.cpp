@@ -60,24 +60,24 @@ TEST_CASE("a user's trigger obeys the axioms") {
   CHECK(to_text(trigger_violations(Strength{})) == "");
 }
 
-TEST_CASE("a trigger that breaks sound particles is found out") {
+TEST_CASE("a trigger that breaks particles without failed elements is reported") {
   check_violated(trigger_violations(FailedCount{.critical = 0}),
                  "a particle without failed elements stays whole");
   check_violated(trigger_violations(FailedElementRatio{.critical = 0}),
                  "a particle without failed elements stays whole");
 }
 
-TEST_CASE("a trigger that mends particles or changes its mind is found out") {
+TEST_CASE("a trigger that is not monotonic, or not repeatable, is reported") {
   check_violated(trigger_violations(HalfOnly{}), "one more failed element never prevents a break");
   check_violated(trigger_violations(EverySecondTime{}), "the same count gives the same answer");
 }
 
-TEST_CASE("a trigger that fires with fewer failed elements than it says is found out") {
+TEST_CASE("a trigger that fires with fewer failed elements than are needed is reported") {
   check_violated(trigger_violations(NeedsTooMany{}),
                  "a particle with fewer failed elements than are needed stays whole");
 }
 
-TEST_CASE("a trigger with an impossible strength is found out") {
+TEST_CASE("a trigger with an impossible strength is reported") {
   check_violated(trigger_violations(Strength{{}, 0, 0}), "a strength factor is above zero");
   check_violated(trigger_violations(Strength{{}, std::numeric_limits<double>::infinity(), 0}),
                  "a strength factor is finite");

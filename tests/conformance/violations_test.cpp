@@ -7,7 +7,7 @@
 
 using namespace riprap;
 
-TEST_CASE("where every comparison holds there is nothing to say") {
+TEST_CASE("where every comparison holds no violation is reported") {
   AxiomCheck check;
   check.equal("equal", 1.05, 1, 0.1);
   check.equal("equal without end", std::numeric_limits<double>::infinity(),

@@ -9,7 +9,7 @@
 
 #include <riprap/contact/contact_law/energy_conserving_spring.hpp>
 #include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
-#include <riprap/contact/domain.hpp>
+#include <riprap/particle/domain.hpp>
 #include <support/near.hpp>
 
 using namespace riprap;

@@ -7,7 +7,7 @@
 
 using namespace riprap;
 
-TEST_CASE("nothing has an empty order") { CHECK(argsort({}).empty()); }
+TEST_CASE("no keys have an empty order") { CHECK(argsort({}).empty()); }
 
 TEST_CASE("the order rises, and equal keys keep theirs") {
   const std::vector<double> keys{3, -1, 2, -1, 3, -5};

@@ -29,7 +29,7 @@ static_assert(!Policy<ValidateIsNotConst>);
 
 }  // namespace
 
-TEST_CASE("a policy with rules of its own is asked, one without has none to break") {
+TEST_CASE("a policy with a validate function is validated, one without is always valid") {
   int count = 0;
   validate(CountsValidations{&count});
   CHECK(count == 1);

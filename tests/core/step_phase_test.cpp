@@ -20,7 +20,7 @@ TEST_CASE("every part of a step has a name of its own, and elsewhere is the last
   CHECK(to_text(StepPhase::contact_law) == std::string("contact law"));
 }
 
-TEST_CASE("the do-nothing timer takes no room") {
+TEST_CASE("the timer that does nothing takes no memory") {
   static_assert(std::is_empty_v<NoPhaseTimer>);
   NoPhaseTimer{}(StepPhase::integration);
 }

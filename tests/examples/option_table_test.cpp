@@ -116,7 +116,7 @@ TEST_CASE("the file of parameters has what has a meaning with what was chosen") 
   CHECK(!contains(area.table.toml(), "pull"));
 }
 
-TEST_CASE("the table knows which option sets which member") {
+TEST_CASE("the table has the member that each option sets") {
   CHECK(Program().table.names() == command_line::OptionNames{{"Linear.stiffness", "--stiffness"},
                                                              {"Dashpot.stiffness", "--stiffness"},
                                                              {"Model.size", "--size"},

@@ -108,7 +108,7 @@ std::string curve_of(ModelType model, const BiaxialTest& test) {
 
 }  // namespace
 
-TEST_CASE("a biaxial test goes through its stages and keeps its promises") {
+TEST_CASE("a biaxial test goes through its stages, and each ends within its tolerance") {
   Simulation sim{Model{}, small_assembly(), Rock{}};
   Curve curve;
   Witness witness;
@@ -191,7 +191,7 @@ TEST_CASE("the work of the boundary is stress times strain") {
   CHECK(curve.points().back().energy.boundary_work == near_relative(work.sum, 0.05));
 }
 
-TEST_CASE("a biaxial test asks of its boundary what SampleBoundary says and no more") {
+TEST_CASE("a biaxial test needs of its boundary what SampleBoundary states and no more") {
   BiaxialTest test = small_test;
   test.axial_strain = 0.005;
   CHECK(curve_of(Model{}.boundary(riprap::test::archetype::SampleBoundary{0}), test) ==

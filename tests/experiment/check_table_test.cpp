@@ -33,7 +33,7 @@ TEST_CASE("a value below a lower limit is reported") {
         "porosity = -0.1 below 0 at strain 0.2 of shear: no room");
 }
 
-TEST_CASE("a value that is not a number keeps to no limit, and stays the worst") {
+TEST_CASE("a value that is not a number is within no limit, and stays the worst") {
   for (const bool upper : {true, false}) {
     CheckTable table;
     const std::size_t row = table.add("number", upper, 0, "lost");

@@ -62,7 +62,7 @@ TEST_CASE("pieces of pieces belong to the particle there was at the beginning") 
   CHECK((moves[0].to - first - Vec2{0.001, 0}).norm() <= 1e-16);
 }
 
-TEST_CASE("a new beginning forgets the old one: pieces that are there now count for themselves") {
+TEST_CASE("a new beginning replaces the old one: pieces that are there now count for themselves") {
   BrokenSample sample;
   IncrementalDisplacement movement;
   movement.begin(sample.particles());

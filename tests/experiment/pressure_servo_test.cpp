@@ -140,7 +140,7 @@ TEST_CASE("the calls at the limit are counted, in both directions") {
   CHECK(servo.saturated() == 3);
 }
 
-TEST_CASE("a long time at the limit leaves no trace in the integral") {
+TEST_CASE("a long time at the limit does not change the integral") {
   PressureServo servo(stiffness, response, 0.02);
   for (int n = 0; n < 1000; ++n) CHECK(servo.rate(1e9, 1e-6) == 0.02);
   CHECK(servo.rate(0, 1e-6) == 0);
@@ -148,7 +148,7 @@ TEST_CASE("a long time at the limit leaves no trace in the integral") {
   CHECK(servo.rate(0, 1e-6) == 0);
 }
 
-TEST_CASE("what the integral has learnt is kept through a time at the limit") {
+TEST_CASE("the value of the integral is kept through a time at the limit") {
   PressureServo servo(stiffness, response, 0.02);
   const double small = 0.001 * stiffness * response;
   for (int n = 0; n < 1000; ++n) static_cast<void>(servo.rate(small, 1e-3 * response));

@@ -251,7 +251,7 @@ TEST_CASE("nor on size and thickness") {
 }
 
 // Close to uniform stress the criterion is a straight line through sigma_1 = sigma_c, so the failed
-// elements are told by the shape of what the platens add, not by its size.
+// elements are decided by the shape of what the platens add, not by its size.
 TEST_CASE("a trace of friction, or of Poisson's ratio, marks the same elements as a tenth of it") {
   const auto run = [](double friction, double poisson) {
     const UnconfinedCompression test{.friction = friction};

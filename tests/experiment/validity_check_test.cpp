@@ -99,7 +99,7 @@ TEST_CASE("a long time step is reported by its share of sqrt(m/k)") {
              0.3 / std::sqrt(2), 0.2);
 }
 
-TEST_CASE("a restless sample is reported by its kinetic energy, once it has begun to deform") {
+TEST_CASE("a moving sample is reported by its kinetic energy, once it has begun to deform") {
   Scene scene;
   scene.sample.body(0).velocity = {0.3, -0.4};
   const double kinetic = 0.5 * 2500 * 0.016 * 0.016 * 0.016 * 0.25;
@@ -263,7 +263,7 @@ TEST_CASE("millimetres taken for metres are reported before the first step") {
   }
 }
 
-TEST_CASE("a servo that has lost the sample is reported at the end of shear") {
+TEST_CASE("a servo that does not reach its pressure is reported at the end of shear") {
   Scene scene;
   scene.view.reached_target = true;
   scene.view.mean_confinement_error = -0.04;

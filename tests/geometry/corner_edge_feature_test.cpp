@@ -8,8 +8,7 @@
 using namespace riprap;
 using test::rectangle;
 
-TEST_CASE(
-    "a place knows the neighbours of the vertices inside and the vertex opposite to the edge") {
+TEST_CASE("a place has the neighbours of the vertices inside and the vertex opposite to the edge") {
   const CornerEdgeFeature one = corner_edge_feature(4, 3, 5, 0, 1);
   CHECK(one.one_vertex());
   CHECK(one.edge == 3);

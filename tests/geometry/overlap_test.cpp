@@ -224,7 +224,7 @@ TEST_CASE("random pairs have the common area that Boost.Geometry finds") {
   CHECK(overlapping > 500);
 }
 
-TEST_CASE("the overlap is convex, lies in both polygons and knows its edges") {
+TEST_CASE("the overlap is convex, lies in both polygons and names the edges it is made of") {
   Random random(100);
   for (int trial = 0; trial < 300; ++trial) {
     const Pair p = random_pair(random);

@@ -8,10 +8,11 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include <riprap/core/random.hpp>
+#include <support/changed_texts.hpp>
 #include <support/message_of.hpp>
 
 using namespace riprap;
@@ -126,22 +127,9 @@ TEST_CASE("files are read by the end of their names") {
 }
 
 TEST_CASE("any text is read as polygons or refused, whatever characters it has") {
-  using std::string_literals::operator""s;
-  const std::string letters = "id,xy\n\r01.e+-9nab#\"\0\xEF"s;
-  Random random(6);
-  int read = 0;
-  for (int i = 0; i < 20000; ++i) {
-    std::string text = "a,0,0\na,1,0\na,1,1\nb,2,0\nb,3,0\nb,2,4\n";
-    const unsigned changes = random.uniform_integer(0, 3);
-    for (unsigned k = 0; k < changes; ++k) {
-      const auto at = random.uniform_integer(0, static_cast<unsigned>(text.size() - 1));
-      text[at] = letters[random.uniform_integer(0, static_cast<unsigned>(letters.size() - 1))];
-    }
-    try {
-      read += !from_csv(text).empty();
-    } catch (const InvalidInput&) {
-      continue;
-    }
-  }
+  using std::string_view_literals::operator""sv;
+  const int read = test::read_of_changed("a,0,0\na,1,0\na,1,1\nb,2,0\nb,3,0\nb,2,4\n",
+                                         "id,xy\n\r01.e+-9nab#\"\0\xEF"sv, 6,
+                                         [](const std::string& text) { (void)from_csv(text); });
   CHECK(read > 5000);
 }

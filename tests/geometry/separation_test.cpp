@@ -64,7 +64,7 @@ TEST_CASE("two shapes a corner apart need an edge of the right one of them") {
   CHECK(cache.edge == 2);
 }
 
-TEST_CASE("a remembered edge never changes the answer") {
+TEST_CASE("a cached edge never changes the result") {
   Random random(31);
   int count_apart = 0;
   for (int trial = 0; trial < 300; ++trial) {

@@ -119,7 +119,7 @@ TEST_CASE("local damping takes its share of the work of the body force") {
   CHECK(t.unclosed() == near(0, 1e-12 * gained));
 }
 
-TEST_CASE("two elastic blocks trade kinetic for stored energy and back") {
+TEST_CASE("two elastic blocks turn kinetic into stored energy and back") {
   for (const double angle : {0.0, 0.7}) {
     CAPTURE(angle);
     // A 10 mm square and a lower block, 1 micron apart, that meet at 3 m/s.

@@ -156,7 +156,7 @@ TEST_CASE("five hundred families have five hundred colours, those of near ids fa
     }
 }
 
-TEST_CASE("a dot at the centroid tells the share of failed elements by its radius") {
+TEST_CASE("the radius of a dot at the centroid is the share of failed elements") {
   const Particles particles = field(40);
   const AssemblyView view(particles);
   std::vector<double> ratios(40, 0);

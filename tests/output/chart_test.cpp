@@ -112,7 +112,7 @@ void check_random_chart(Random& random, double centre, double spread) {
 
 }  // namespace
 
-TEST_CASE("ticks are 1, 2 or 5 times a power of ten and tell where the data lie") {
+TEST_CASE("ticks are 1, 2 or 5 times a power of ten and show where the data lie") {
   Random random(5);
   for (int decade = -6; decade <= 6; ++decade)
     for (int i = 0; i < 10; ++i) {

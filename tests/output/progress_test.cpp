@@ -83,7 +83,7 @@ TEST_CASE("the time left is printed once it can be estimated, and not at the end
   CHECK(count(talk.text(), " left") == 1);
 }
 
-TEST_CASE("the stage of shear tells its strain and the breakages") {
+TEST_CASE("the stage of shear prints its strain and the breakages") {
   Talk talk;
   talk.sample.breaks().resize(3);
   talk.view.stretch = {1.02, 0.877};
@@ -106,7 +106,7 @@ TEST_CASE("breakages are those of shear, as in the summary, without those under 
   CHECK(count(talk.text(), "breakages 3\n") == 1);
 }
 
-TEST_CASE("stages before shear tell neither") {
+TEST_CASE("stages before shear print neither") {
   Talk talk;
   talk.view.stage = Stage::hydrostatic;
   talk.progress.begin_stage(talk.view);

@@ -97,7 +97,7 @@ TEST_CASE("the ring follows the body's pose") {
   CHECK(particles.ring(2)[0] == Vec2{8, 8});
 }
 
-TEST_CASE("pieces know parent, root and generation, and get new ids") {
+TEST_CASE("pieces have parent, root and generation, and get new ids") {
   Particles particles(1, 1);
   particles.add(unit_square(), Motion::free);
   const BodyIndex i = particles.add(shifted(unit_square(), {5, 0}), Motion::free);

@@ -108,7 +108,7 @@ TEST_CASE("triangles of one size do not overlap either: their tips reach far") {
                                              .solid_fraction = 0.42})) == 0);
 }
 
-TEST_CASE("the placement grid sees tips that meet from either end of two cells") {
+TEST_CASE("the placement grid finds tips that meet from either end of two cells") {
   // Slender triangles with the centroid at the origin and the tip at 2/3 of their length.
   const ConvexPolygon right{{-1.0 / 3, -0.05}, {2.0 / 3, 0}, {-1.0 / 3, 0.05}};
   const ConvexPolygon left = right.moved(Rotation::from_angle(pi), {0, 0});

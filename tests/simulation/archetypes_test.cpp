@@ -76,7 +76,7 @@ TEST_CASE("a whole simulation of archetypes breaks a square as the models behind
   CHECK(crushed(archetypes) == expected);
 }
 
-TEST_CASE("an archetype gets on with shipped models in all other roles") {
+TEST_CASE("an archetype works with shipped models in all other roles") {
   const Outcome expected = crushed(shipped);
   CHECK(crushed(shipped.execution(archetype::Execution{0})) == expected);
   CHECK(crushed(shipped.broad_phase(archetype::BroadPhase{0})) == expected);

@@ -32,7 +32,7 @@ double damping_ratio(double e) {
   return 0.5 * (low + high);
 }
 
-// What rigid-body impact knows about a pair.
+// The data of a pair in rigid-body impact.
 struct Surface {
   double friction = 0;
   double restitution = 1;

@@ -9,7 +9,7 @@
 
 using namespace riprap;
 
-TEST_CASE("a part deduces the types of its policies, and knows what never fails") {
+TEST_CASE("a part deduces the types of its policies, and whether the criterion never fails") {
   const ContactModel part{UniformGrid{}, OverlapChord{}, NoContactForce{}};
   CHECK(std::same_as<decltype(part.law), NoContactForce>);
   CHECK_FALSE(BreakageModel<>::never_fails);

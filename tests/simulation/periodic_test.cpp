@@ -89,7 +89,7 @@ TEST_CASE("two squares press on each other across the border of the cell") {
   CHECK((sim.particles().body(1).contact.force - Vec2{-200, 0}).norm() == near(0, 1e-6));
 }
 
-TEST_CASE("the sample does not know where its border is") {
+TEST_CASE("results do not depend on where the border of the cell is") {
   const Assembly sample = state_of(compressed_sample(undamped(), 3e5));
   // Everything is shifted by a part of the cell, and every third body by whole periods on top.
   Assembly shifted = sample;
@@ -110,7 +110,7 @@ TEST_CASE("the sample does not know where its border is") {
   check_same(stress(there), stress(here), 1e-9);
 }
 
-TEST_CASE("damping does not know which copy of a body is stored") {
+TEST_CASE("damping does not depend on which copy of a body is stored") {
   // As above, with the default damping and a field: an image is faster by the field's velocity.
   const auto model = Model{}.criterion(NeverFails{}).boundary(PeriodicCell{});
   const Vec2 rate{0.03, -0.01};

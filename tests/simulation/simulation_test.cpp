@@ -256,7 +256,7 @@ TEST_CASE("two runs give the same bytes") {
   CHECK(std::memcmp(first.data(), second.data(), first.size() * sizeof(double)) == 0);
 }
 
-TEST_CASE("a simulation that runs away says which particle") {
+TEST_CASE("a simulation that diverges is an error that names the particle") {
   Simulation sim{crushing_model(), test::square_between_platens(0), Rock{}};
   sim.set_velocity(0, Vec2{1e300, 0});
   try {

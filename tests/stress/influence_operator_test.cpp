@@ -333,7 +333,7 @@ TEST_CASE("displacements of the boundary do the work that the stresses store") {
   }
 }
 
-TEST_CASE("an operator knows its mesh and its memory") {
+TEST_CASE("an operator has its mesh and its size in memory") {
   CHECK(InfluenceOperator{}.empty());
   CHECK(InfluenceOperator{}.bytes() == 0);
   const Mesh mesh = mesh_of(test::regular_polygon(5, 0.01), 50);

@@ -3,7 +3,7 @@
 # its sentence before anything else.
 get_filename_component(include ${CMAKE_CURRENT_LIST_DIR}/../../include ABSOLUTE)
 file(GLOB_RECURSE headers RELATIVE ${include} ${include}/riprap/*.hpp)
-list(REMOVE_ITEM headers riprap/compiler.hpp)
+list(REMOVE_ITEM headers riprap/core/compiler.hpp)
 
 set(violations "")
 foreach(header IN LISTS headers)
@@ -14,5 +14,5 @@ foreach(header IN LISTS headers)
 endforeach()
 
 if(violations)
-  message(FATAL_ERROR "These have to include <riprap/compiler.hpp>:${violations}\n")
+  message(FATAL_ERROR "These have to include <riprap/core/compiler.hpp>:${violations}\n")
 endif()

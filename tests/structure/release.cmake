@@ -2,7 +2,7 @@
 # The version and the date of the latest release are the same wherever they are written.
 cmake_policy(VERSION 3.21)
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
-file(STRINGS ${root}/include/riprap/version.hpp version
+file(STRINGS ${root}/include/riprap/core/version.hpp version
      REGEX "^#define RIPRAP_VERSION_(MAJOR|MINOR|PATCH) [0-9]+$")
 string(REGEX MATCHALL "[0-9]+" version "${version}")
 list(JOIN version "." version)

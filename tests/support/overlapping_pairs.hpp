@@ -9,7 +9,7 @@
 #include <cmath>
 #include <optional>
 
-#include <riprap/contact/contact_geometry.hpp>
+#include <riprap/contact/pair/contact_geometry.hpp>
 #include <riprap/core/random.hpp>
 #include <riprap/geometry/overlap.hpp>
 #include <riprap/geometry/polygon_properties.hpp>

@@ -114,7 +114,7 @@ class StillSample {
   double time_step_ = 1e-6;
 };
 
-/// What the run of a biaxial test would tell its observers about the sample in shear.
+/// The view that the run of a biaxial test would pass to its observers in shear.
 [[nodiscard]] inline BiaxialView<StillSample> view_of(const StillSample& sample) {
   BiaxialView<StillSample> view{.sim = sample, .stage = Stage::shear};
   view.confining_pressure = 2e6;

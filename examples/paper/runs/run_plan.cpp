@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <riprap/core/version.hpp>
 #include <riprap/riprap.hpp>
-#include <riprap/version.hpp>
 
 #include "../../biaxial/setup_json.hpp"
 

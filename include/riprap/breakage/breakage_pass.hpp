@@ -10,6 +10,7 @@
 
 #include <riprap/breakage/breakage_input.hpp>
 #include <riprap/breakage/crack.hpp>
+#include <riprap/breakage/particle_failure.hpp>
 #include <riprap/breakage/refused_cuts.hpp>
 #include <riprap/core/step_phase.hpp>
 
@@ -50,14 +51,13 @@ class BreakagePass {
   // Evaluates particle i and stores its crack, or that its cut was refused.
   template <class Input>
   void check(const Input& input, BodyIndex i) {
-    const Body& body = input.particles.body(i);
     const InfluenceOperator& op = input.operators.exact(i, input.builder(i));
-    const ElementStress& stress =
-        evaluate_(op, input.stress.support, body.rotation, loads_.of(i), input.scale(i));
-    const FailureCount failures = count_failures(input.breakage.criterion, stress);
+    const auto& [stress, failures] = evaluate_particle(input.breakage, input.stress.support, op,
+                                                       input.particles, i, loads_.of(i), evaluate_);
     if (!input.breakage.trigger(failures)) return;
-    std::optional<Crack> crack = find_crack(input.breakage, failures, op.mesh(), stress, body,
-                                            input.particles.ring(i), input.mean_area);
+    std::optional<Crack> crack =
+        find_crack(input.breakage, failures, op.mesh(), stress, input.particles.body(i),
+                   input.particles.ring(i), input.mean_area);
     if (crack)
       cracks_.emplace_back(i, std::move(*crack));
     else

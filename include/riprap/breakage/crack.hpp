@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <riprap/breakage/failure_count.hpp>
+#include <riprap/breakage/failure/failure_count.hpp>
 #include <riprap/breakage/line_fit/concepts.hpp>
 #include <riprap/geometry/convex_polygon.hpp>
 #include <riprap/geometry/cut.hpp>

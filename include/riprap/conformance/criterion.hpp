@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include <riprap/breakage/element_failure.hpp>
+#include <riprap/breakage/failure/element_failure.hpp>
 #include <riprap/conformance/units.hpp>
 #include <riprap/conformance/violations.hpp>
 

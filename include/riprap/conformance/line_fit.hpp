@@ -124,7 +124,7 @@ template <LineFit F>
   return std::move(check).violations();
 }
 
-/// For fits that know no axes: points and failure planes turned together have the turned line.
+/// For fits without preferred axes: points and failure planes turned together have the turned line.
 template <LineFit F>
 [[nodiscard]] Violations line_fit_rotation_violations(const F& fit) {
   AxiomCheck check;

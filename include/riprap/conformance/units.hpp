@@ -3,7 +3,7 @@
 /// @file
 /// Other units of length, mass and time: what a formula gives must not depend on them.
 
-#include <riprap/compiler.hpp>
+#include <riprap/core/compiler.hpp>
 
 namespace riprap {
 

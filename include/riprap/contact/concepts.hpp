@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <riprap/contact/pair_map.hpp>
+#include <riprap/contact/pair/pair_map.hpp>
 
 namespace riprap {
 

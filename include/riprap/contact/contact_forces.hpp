@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <span>
 
-#include <riprap/contact/contact.hpp>
 #include <riprap/contact/contact_law/concepts.hpp>
-#include <riprap/contact/domain.hpp>
-#include <riprap/contact/task_partition.hpp>
+#include <riprap/contact/pair/contact.hpp>
+#include <riprap/contact/pair/task_partition.hpp>
+#include <riprap/particle/domain.hpp>
 #include <riprap/particle/particles.hpp>
 
 namespace riprap {

@@ -11,19 +11,19 @@
 #include <utility>
 #include <vector>
 
+#include <riprap/contact/broad_phase/pair_search.hpp>
 #include <riprap/contact/concepts.hpp>
-#include <riprap/contact/contact.hpp>
 #include <riprap/contact/contact_forces.hpp>
 #include <riprap/contact/detection/evaluate_each_pair.hpp>
 #include <riprap/contact/divided_contacts.hpp>
-#include <riprap/contact/domain.hpp>
 #include <riprap/contact/narrow_phase/concepts.hpp>
 #include <riprap/contact/neighbour_list/rebuild_every_step.hpp>
 #include <riprap/contact/overlap_limit.hpp>
-#include <riprap/contact/pair_list.hpp>
-#include <riprap/contact/pair_search.hpp>
-#include <riprap/contact/task_partition.hpp>
+#include <riprap/contact/pair/contact.hpp>
+#include <riprap/contact/pair/pair_list.hpp>
+#include <riprap/contact/pair/task_partition.hpp>
 #include <riprap/core/step_phase.hpp>
+#include <riprap/particle/domain.hpp>
 
 namespace riprap {
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include <riprap/contact/contact.hpp>
 #include <riprap/contact/contact_forces.hpp>
 #include <riprap/contact/contact_law/concepts.hpp>
+#include <riprap/contact/pair/contact.hpp>
 
 namespace riprap {
 

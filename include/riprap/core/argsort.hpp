@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <riprap/compiler.hpp>
+#include <riprap/core/compiler.hpp>
 #include <riprap/core/linkage.hpp>
 
 namespace riprap {

@@ -14,7 +14,7 @@
 /// - The out-of-plane thickness is an explicit length [m] in every mass, force and stress.
 /// - Tolerances are relative to the size of the particles concerned.
 
-#include <riprap/compiler.hpp>
+#include <riprap/core/compiler.hpp>
 
 #if defined(__FAST_MATH__)
 #error "riprap needs IEEE arithmetic; compile it without -ffast-math"

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include <riprap/compiler.hpp>
+#include <riprap/core/compiler.hpp>
 
 namespace riprap {
 

@@ -6,7 +6,7 @@
 /// file, and its functions are inline. With it they come from the library, and a program does not
 /// parse them.
 
-#include <riprap/compiler.hpp>
+#include <riprap/core/compiler.hpp>
 
 #ifdef RIPRAP_COMPILED
 #define RIPRAP_INLINE

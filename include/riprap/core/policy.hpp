@@ -5,7 +5,7 @@
 
 #include <concepts>
 
-#include <riprap/compiler.hpp>
+#include <riprap/core/compiler.hpp>
 
 namespace riprap {
 

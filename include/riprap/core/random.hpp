@@ -9,7 +9,7 @@
 #include <boost/random/uniform_real_distribution.hpp>
 #include <cstdint>
 
-#include <riprap/compiler.hpp>
+#include <riprap/core/compiler.hpp>
 
 namespace riprap {
 

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include <riprap/compiler.hpp>
+#include <riprap/core/compiler.hpp>
 
 namespace riprap::internal {
 

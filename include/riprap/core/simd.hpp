@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include <riprap/compiler.hpp>
+#include <riprap/core/compiler.hpp>
 
 #ifdef __AVX__
 #include <immintrin.h>

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <riprap/compiler.hpp>
+#include <riprap/core/compiler.hpp>
 
 namespace riprap {
 

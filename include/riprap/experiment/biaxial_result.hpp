@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// What a biaxial test tells about itself.
+/// The result of a biaxial test.
 
 #include <array>
 #include <cstdint>

@@ -162,7 +162,7 @@ class BiaxialRun {
     return false;
   }
 
-  // Constant rate, without friction where the law knows friction, until slow and under stress. All
+  // Constant rate, without friction where the law has friction, until slow and under stress. All
   // particles start with the velocity of the field, so that the sample contracts as a whole.
   bool compact() {
     const double rate = rate_at(test_.compaction_inertial_number, test_.jam_pressure);

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include <riprap/compiler.hpp>
+#include <riprap/core/compiler.hpp>
 
 namespace riprap {
 

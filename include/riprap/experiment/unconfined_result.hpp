@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <riprap/breakage/crack.hpp>
-#include <riprap/breakage/failure_count.hpp>
+#include <riprap/breakage/failure/failure_count.hpp>
 #include <riprap/stress/element_stress.hpp>
 #include <riprap/stress/mesher/mesh.hpp>
 

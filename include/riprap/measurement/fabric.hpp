@@ -14,7 +14,7 @@
 
 namespace riprap {
 
-/// One contact as fabric statistics see it.
+/// The data of one contact for the statistics of fabric.
 struct ContactSample {
   Vec2 normal{1, 0};            ///< from a to b
   double normal_force = 0;      ///< [N]

@@ -3,7 +3,7 @@
 /// @file
 /// How much of a sample is empty.
 
-#include <riprap/compiler.hpp>
+#include <riprap/core/compiler.hpp>
 
 namespace riprap {
 

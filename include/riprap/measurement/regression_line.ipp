@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 #include <riprap/measurement/regression_line.hpp>
 
 namespace riprap {

@@ -12,7 +12,7 @@
 
 namespace riprap {
 
-/// An observer that measures time. Reads a clock some ten times a step, which small samples feel
+/// An observer that measures time. Reads a clock some ten times a step, which slows small samples
 /// (0.3 us a step); a simulation without it reads none.
 ///
 ///     StepTimer timer;

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <string>
 
-#include <riprap/compiler.hpp>
+#include <riprap/core/compiler.hpp>
 
 namespace riprap {
 

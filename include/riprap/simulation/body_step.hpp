@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include <riprap/contact/domain.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/dynamics/integrator/concepts.hpp>
+#include <riprap/particle/domain.hpp>
 #include <riprap/particle/particles.hpp>
 
 namespace riprap {

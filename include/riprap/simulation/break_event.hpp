@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-#include <riprap/breakage/failure_count.hpp>
+#include <riprap/breakage/failure/failure_count.hpp>
 #include <riprap/geometry/cut.hpp>
 #include <riprap/particle/ancestry.hpp>
 

@@ -7,6 +7,7 @@
 
 #include <riprap/breakage/breakage_input.hpp>
 #include <riprap/breakage/breakage_pass.hpp>
+#include <riprap/breakage/screening/concepts.hpp>
 #include <riprap/simulation/piece_limit.hpp>
 
 namespace riprap {
@@ -23,6 +24,11 @@ struct BreakageStage {
 template <class ModelType>
   requires(!decltype(ModelType::breakage_model)::never_fails)
 struct BreakageStage<ModelType> {
+  using BreakagePart = decltype(ModelType::breakage_model);
+  using StressPart = decltype(ModelType::stress_model);
+  using ScreeningPolicy = decltype(ModelType::acceleration_model.screening);
+  static_assert(check_screening_state<ScreeningPolicy, BreakagePart, StressPart>());
+
   explicit BreakageStage(const ModelType& model)
       : operators(model.acceleration_model.operator_store),
         screening(model.breakage_model, model.stress_model) {}
@@ -52,9 +58,7 @@ struct BreakageStage<ModelType> {
   }
 
   typename decltype(ModelType::acceleration_model.operator_store)::State operators;
-  typename decltype(ModelType::acceleration_model.screening)::template State<
-      decltype(ModelType::breakage_model), decltype(ModelType::stress_model)>
-      screening;
+  typename ScreeningPolicy::template State<BreakagePart, StressPart> screening;
   BreakagePass pass;
   PieceLimit piece_limit;
 };

@@ -6,8 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include <riprap/breakage/failure_count.hpp>
-#include <riprap/breakage/trigger/load_scale.hpp>
+#include <riprap/breakage/particle_failure.hpp>
 #include <riprap/simulation/breakage_stage.hpp>
 #include <riprap/stress/contact_loads.hpp>
 #include <riprap/stress/particle_stress.hpp>
@@ -32,7 +31,6 @@ class StressQuery {
 
   /// Share of the failed elements of every particle; 0 for driven and unloaded ones.
   [[nodiscard]] std::vector<double> failed_ratios() const {
-    const auto& breakage = model_.breakage_model;
     std::vector<double> ratios(particles_.size(), 0);
     ContactLoads loads;
     loads.begin(contacts_, particles_.size());
@@ -40,10 +38,10 @@ class StressQuery {
     for (BodyIndex i = 0; i < particles_.size(); ++i) {
       loads.gather(contacts_, i);
       if (!particles_.body(i).is_free() || loads.of(i).empty()) continue;
-      const ElementStress& stress =
-          evaluate(*find_operator(i), model_.stress_model.support, particles_.body(i).rotation,
-                   loads.of(i), load_scale(breakage.trigger, particles_, i));
-      ratios[i] = count_failures(breakage.criterion, stress).ratio();
+      const auto op = find_operator(i);
+      ratios[i] = evaluate_particle(model_.breakage_model, model_.stress_model.support, *op,
+                                    particles_, i, loads.of(i), evaluate)
+                      .failures.ratio();
     }
     return ratios;
   }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <riprap/contact/concepts.hpp>
-#include <riprap/contact/pair_index.hpp>
+#include <riprap/contact/pair/pair_index.hpp>
 #include <riprap/core/execution/concepts.hpp>
 #include <riprap/core/vec2.hpp>
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include <riprap/contact/contact.hpp>
 #include <riprap/contact/narrow_phase/no_overlap.hpp>
+#include <riprap/contact/pair/contact.hpp>
 
 using namespace riprap;
 
@@ -81,7 +81,7 @@ TEST_CASE("pairs are evaluated once a batch is full, those without a contact sin
 }
 
 TEST_CASE(
-    "pairs that did not touch, images and pairs that the narrow phase refuses join no batch") {
+    "pairs that did not touch, images and pairs that the narrow phase refuses are in no batch") {
   const Particles particles = two_triangles();
   PairBatch<ThreeAtOnce> batch;
   Pair apart{.a = 0, .b = 1};

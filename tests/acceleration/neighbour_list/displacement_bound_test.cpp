@@ -176,7 +176,7 @@ TEST_CASE("one body of several that goes straight on has a bound of its way, tim
   CHECK(std::abs(bound.value() - std::sqrt(2)) <= 1e-13);  // round-off of a hundred sums
 }
 
-TEST_CASE("a body that trembles adds nothing up") {
+TEST_CASE("the bound of a body that swings to and fro is that of one swing") {
   Particles particles = row_of_three();
   DisplacementBound<UnboundedDomain> bound;
   bound.restart(particles, {});

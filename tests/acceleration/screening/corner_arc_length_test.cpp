@@ -98,7 +98,7 @@ TEST_CASE("no way is longer by more than the place has moved while it stays on i
   CHECK(other_edge > 50);
 }
 
-TEST_CASE("without a corner there is no hold") {
+TEST_CASE("without a corner the valid radius is negative") {
   CHECK(CornerArcLength{}.valid_radius < 0);
   CHECK(CornerArcLength(LocatedPoint{}, -1e-9, round_off).valid_radius < 0);
 }

@@ -18,7 +18,7 @@
 #include <riprap/breakage/criterion/never_fails.hpp>
 #include <riprap/breakage/criterion/rankine.hpp>
 #include <riprap/breakage/criterion/rock_mass.hpp>
-#include <riprap/breakage/failure_count.hpp>
+#include <riprap/breakage/failure/failure_count.hpp>
 #include <riprap/core/random.hpp>
 #include <support/near.hpp>
 
@@ -153,7 +153,7 @@ TEST_CASE("an error of the stresses counts as so much distance") {
   CHECK(screening(compact(near_failure, 1e6), 5).possible == 10);
 }
 
-TEST_CASE("a change just below the harmless one lets fewer elements fail than are needed") {
+TEST_CASE("under a change just below the margin fewer elements fail than are needed") {
   const HoekBrown criterion;
   FailureScreening screening{MohrRadiusTable::of(criterion)};
   Random random(73);
@@ -186,7 +186,7 @@ TEST_CASE("a change just below the harmless one lets fewer elements fail than ar
   CHECK(worked > 50);
 }
 
-TEST_CASE("a trigger that needs more elements than there are is never in danger") {
+TEST_CASE("a trigger that needs more elements than there are never fires") {
   FailureScreening screening{MohrRadiusTable::of(HoekBrown{})};
   CHECK(std::isinf(screening(compact({{1e6, 0, 0}, {2e6, 0, 0}}), 3).stress_margin));
 }

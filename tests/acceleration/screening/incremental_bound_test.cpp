@@ -23,8 +23,8 @@ Vec2 random_vector(Random& random, double size) {
 }
 
 // Some contacts with weights, in the particle's own frame.
-struct Priced {
-  explicit Priced(Random& random) {
+struct WeightedLoads {
+  explicit WeightedLoads(Random& random) {
     const std::uint32_t count = random.uniform_integer(1, 8);
     for (std::uint32_t k = 0; k < count; ++k) {
       loads.push_back({random_vector(random, 0.01), random_vector(random, 1e3)});
@@ -36,7 +36,7 @@ struct Priced {
     }
   }
 
-  [[nodiscard]] double cost(const std::vector<Load>& now) const {
+  [[nodiscard]] double use(const std::vector<Load>& now) const {
     double sum = 0;
     for (std::size_t k = 0; k < now.size(); ++k) {
       const FourFloats& each = sensitivities[k].weights;
@@ -75,56 +75,56 @@ TEST_CASE(
     "an incremental bound is within the budget up to it, whatever the rotation of the particle") {
   Random random(91);
   for (int sample = 0; sample < 500; ++sample) {
-    const Priced priced(random);
+    const WeightedLoads weighted(random);
     const Rotation rotation = Rotation::from_angle(random.uniform(-3, 3));
-    std::vector<Load> way = priced.loads;
+    std::vector<Load> way = weighted.loads;
     for (Load& load : way) {
       load.arm += random_vector(random, 1e-4);
       load.force += random_vector(random, 100);
     }
-    const double cost = priced.cost(way);
+    const double use = weighted.use(way);
     const auto at = [&](double share) {
-      std::vector<Load> loads = priced.loads;
+      std::vector<Load> loads = weighted.loads;
       for (std::size_t k = 0; k < loads.size(); ++k) {
-        loads[k].arm += share / cost * (way[k].arm - priced.loads[k].arm);
-        loads[k].force += share / cost * (way[k].force - priced.loads[k].force);
+        loads[k].arm += share / use * (way[k].arm - weighted.loads[k].arm);
+        loads[k].force += share / use * (way[k].force - weighted.loads[k].force);
       }
       return loads;
     };
     const auto holds_at = [&](double share) {
-      return holds(priced.sensitivities, at(share), rotation, priced.loads.size());
+      return holds(weighted.sensitivities, at(share), rotation, weighted.loads.size());
     };
     // 1e-6 of what the weights allow for in loads, and of the changes: round-off of single
     // precision.
-    const double off = priced.round_off() + 2e-6;
+    const double off = weighted.round_off() + 2e-6;
     CHECK(holds_at(1 - off));
     CHECK_FALSE(holds_at(1 + off));
   }
 }
 
-TEST_CASE("contacts that are missing, new or without weights are noticed") {
+TEST_CASE("contacts that are missing, new or without weights are detected") {
   Random random(92);
   for (int sample = 0; sample < 100; ++sample) {
-    const Priced priced(random);
+    const WeightedLoads weighted(random);
     const Rotation rotation = Rotation::from_angle(random.uniform(-3, 3));
-    const std::size_t count = priced.loads.size();
+    const std::size_t count = weighted.loads.size();
     // Round-off alone may use up the budget.
-    std::vector<LoadSensitivity> cheap = priced.sensitivities;
-    for (LoadSensitivity& weights : cheap) weights.weights *= 1e-3f;
-    CHECK(holds(cheap, priced.loads, rotation, count));
-    CHECK_FALSE(holds(cheap, priced.loads, rotation, count + 1));
-    CHECK_FALSE(holds(cheap, priced.loads, rotation, IncrementalBound::untracked));
-    std::vector<Load> more = priced.loads;
+    std::vector<LoadSensitivity> light = weighted.sensitivities;
+    for (LoadSensitivity& weights : light) weights.weights *= 1e-3f;
+    CHECK(holds(light, weighted.loads, rotation, count));
+    CHECK_FALSE(holds(light, weighted.loads, rotation, count + 1));
+    CHECK_FALSE(holds(light, weighted.loads, rotation, IncrementalBound::untracked));
+    std::vector<Load> more = weighted.loads;
     more.push_back({{0, 0}, {0, 0}});
-    cheap.emplace_back();
-    CHECK_FALSE(holds(cheap, more, rotation, count));
-    CHECK_FALSE(holds(cheap, more, rotation, count + 1));
+    light.emplace_back();
+    CHECK_FALSE(holds(light, more, rotation, count));
+    CHECK_FALSE(holds(light, more, rotation, count + 1));
   }
   CHECK(holds({}, {}, Rotation{}, 0));
   CHECK_FALSE(holds({}, {}, Rotation{}, IncrementalBound::untracked));
 }
 
-TEST_CASE("loads that are not numbers are noticed") {
+TEST_CASE("loads that are not numbers are detected") {
   const LoadSensitivity free(FourFloats{0, 0, 0, 0}, FourFloats{0, 0, 0, 0});
   CHECK(holds({free}, {{{1, 1}, {1, 1}}}, Rotation{}, 1));
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -134,11 +134,11 @@ TEST_CASE("loads that are not numbers are noticed") {
 
 TEST_CASE("the opposite sensitivity is that of the opposite force") {
   Random random(93);
-  const Priced priced(random);
-  for (std::size_t k = 0; k < priced.loads.size(); ++k) {
-    const Load& load = priced.loads[k];
-    LoadSensitivity weights = priced.sensitivities[k].opposite();
-    CHECK(weights.round_off() == priced.sensitivities[k].round_off());
+  const WeightedLoads weighted(random);
+  for (std::size_t k = 0; k < weighted.loads.size(); ++k) {
+    const Load& load = weighted.loads[k];
+    LoadSensitivity weights = weighted.sensitivities[k].opposite();
+    CHECK(weights.round_off() == weighted.sensitivities[k].round_off());
     weights.weights *= 1e-3f;
     CHECK(holds({weights}, {{load.arm, -load.force}}, Rotation{}, 1));
     CHECK_FALSE(holds({weights}, {{load.arm, 1e6 * load.force}}, Rotation{}, 1));

@@ -37,7 +37,7 @@ double value(const AxisForm& form, const Vec2& p, const Vec2& q) {
 
 }  // namespace
 
-TEST_CASE("the compact operator errs by less than it says, and says little") {
+TEST_CASE("the error of the compact operator is below its bound, and the bound is small") {
   Random random(91);
   ElementStressF32 stress;
   for (int sample = 0; sample < 60; ++sample) {

@@ -283,7 +283,7 @@ TEST_CASE("a single force along the stiffer axis leaves the sum of norms no room
 }
 
 TEST_CASE(
-    "a reference that is new holds, one that is forgotten or has too many contacts does not") {
+    "a reference that is new holds, one that is discarded or has too many contacts does not") {
   Random random(83);
   Loaded particle(random);
   StressChangeBound reference;
@@ -300,7 +300,7 @@ TEST_CASE(
   CHECK_FALSE(reference.within_limit(particle.loads, particle.rotation));
 }
 
-TEST_CASE("loads that are not numbers are never harmless") {
+TEST_CASE("loads that are not numbers are within no limit") {
   Random random(84);
   Loaded particle(random);
   StressChangeBound reference;

@@ -7,7 +7,7 @@
 
 #include <riprap/breakage/criterion/criterion_choice.hpp>
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
-#include <riprap/breakage/element_failure.hpp>
+#include <riprap/breakage/failure/element_failure.hpp>
 #include <riprap/conformance/criterion.hpp>
 #include <riprap/core/units.hpp>
 #include <support/archetypes.hpp>
@@ -19,7 +19,7 @@ using riprap::test::near;
 
 namespace {
 
-// The smallest criterion: two functions, and nothing that a user could forget. A straight line of
+// The smallest criterion: two functions, and no other member. A straight line of
 // slope 3, that is c = 10 MPa and phi = 30 degrees.
 struct StraightLine {
   double major_stress_at_failure(double minor) const { return 3 * minor + 20e6 * std::sqrt(3.0); }

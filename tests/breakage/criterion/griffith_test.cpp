@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include <riprap/breakage/element_failure.hpp>
+#include <riprap/breakage/failure/element_failure.hpp>
 #include <riprap/conformance/criterion.hpp>
 #include <riprap/core/units.hpp>
 #include <support/message_of.hpp>

@@ -7,7 +7,7 @@
 
 #include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
-#include <riprap/breakage/element_failure.hpp>
+#include <riprap/breakage/failure/element_failure.hpp>
 
 using namespace riprap;
 

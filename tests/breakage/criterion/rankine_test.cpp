@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include <riprap/breakage/criterion/hoek_brown.hpp>
-#include <riprap/breakage/element_failure.hpp>
+#include <riprap/breakage/failure/element_failure.hpp>
 #include <riprap/core/units.hpp>
 #include <support/near.hpp>
 

@@ -8,7 +8,7 @@
 
 using namespace riprap;
 
-TEST_CASE("a screening says whether it skips particles, and has a state for the parts of a model") {
+TEST_CASE("a screening has a state for the parts of a model") {
   CHECK(Screening<EvaluateAll>);
   CHECK(requirements::ScreeningState<EvaluateAll, BreakageModel<>, StressModel<>>);
   CHECK(requirements::ScreeningState<DefaultScreening, BreakageModel<>, StressModel<>>);

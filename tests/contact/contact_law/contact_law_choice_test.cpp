@@ -56,7 +56,7 @@ TEST_CASE("a chosen contact law runs to the same bytes as the law itself") {
   CHECK(!test::same_bytes(run(Choice{LinearSpringCoulomb{}}), run(Choice{SpringDashpot{}})));
 }
 
-TEST_CASE("a contact forgets its history when another law is chosen") {
+TEST_CASE("a contact loses its history when another law is chosen") {
   Choice::History history;
   const Choice first{LinearSpringCoulomb{}};
   CHECK(first(geometry, sliding, history).tangential != 0);

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <riprap/contact/contact_law/coulomb_slip.hpp>
+#include <support/message_of.hpp>
 #include <support/near.hpp>
 
 using namespace riprap;
@@ -38,4 +39,12 @@ TEST_CASE("without cap, stiffness or time a tangential spring loses only what it
 TEST_CASE("a tangential spring stores half its force squared over its stiffness") {
   CHECK(tangential_energy(-40, 100) == near_relative(8, 1e-15));
   CHECK(tangential_energy(40, 0) == 0);
+}
+
+TEST_CASE("stiffness and friction below zero are refused, with the name of the law") {
+  CHECK_NOTHROW(validate_coulomb_slip("Law", 0, 0));
+  CHECK(test::message_of([] { validate_coulomb_slip("Law", -1, 0); }) ==
+        "Law.tangential_stiffness = -1: must be a finite number, 0 or above");
+  CHECK(test::message_of([] { validate_coulomb_slip("Law", 1, -0.5); }) ==
+        "Law.friction = -0.5: must be a finite number, 0 or above");
 }

@@ -12,7 +12,7 @@ using namespace riprap;
 
 namespace {
 
-// A law that knows another way to lose its friction than a member of that name.
+// A law that loses its friction in another way than by a member of that name.
 struct Rough : NoContactForce {
   double roughness = 3;
   double friction = 0.5;
@@ -53,6 +53,6 @@ TEST_CASE("a law's own way to lose its friction comes first") {
   CHECK(smooth.friction == 0.5);
 }
 
-TEST_CASE("a law that knows no friction stays as it is") {
+TEST_CASE("a law without friction stays as it is") {
   CHECK(frictionless(NoContactForce{}).peak_stiffness() == NoContactForce{}.peak_stiffness());
 }

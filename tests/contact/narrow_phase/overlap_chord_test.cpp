@@ -249,7 +249,7 @@ TEST_CASE("a mirrored pair has the mirrored contact") {
       });
 }
 
-TEST_CASE("grains of dust and planets have the same contact, scaled to the last bit") {
+TEST_CASE("contacts of bodies of any size are the same, scaled to the last bit") {
   // Powers of two: no digit may depend on the unit of length.
   for (const double scale : {std::ldexp(1.0, -30), std::ldexp(1.0, 40)}) {
     const auto scaled = [scale](const ConvexPolygon& polygon) {
@@ -270,7 +270,7 @@ TEST_CASE("grains of dust and planets have the same contact, scaled to the last 
   }
 }
 
-TEST_CASE("what a pair remembers never changes the answer") {
+TEST_CASE("the cache of a pair never changes the result") {
   Random random(7);
   const ConvexPolygon a = random_polygon({}, 1, random);
   const ConvexPolygon b = random_polygon({}, 1, random);
@@ -293,7 +293,7 @@ TEST_CASE("what a pair remembers never changes the answer") {
   CHECK(touching < 1800);
 }
 
-TEST_CASE("a memory of another pair's edge does no harm") {
+TEST_CASE("a cached edge of another pair changes nothing") {
   const ConvexPolygon a = rectangle({0, 0}, 1, 1);
   const ConvexPolygon b = tip_down({0, 0.4}, 1, 1);
   using Cache = OverlapChord::Cache;

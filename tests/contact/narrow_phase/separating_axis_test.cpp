@@ -182,7 +182,7 @@ TEST_CASE("a contact by separating axes moves rigidly with its bodies, whatever 
   test::check_contacts_move_rigidly<SeparatingAxis>();
 }
 
-TEST_CASE("what a pair remembers never changes its contact by separating axes") {
+TEST_CASE("the cache of a pair never changes its contact by separating axes") {
   for_random_contacts<SeparatingAxis>(
       100, [](const auto& a, const auto& b, const ContactGeometry& contact) {
         for (const bool of_b : {false, true})

@@ -32,7 +32,7 @@ TEST_CASE("of several exceptions that of the first task comes out, when all task
   CHECK(done == std::vector<int>(100, 1));
 }
 
-TEST_CASE("for a single task no other thread is woken") {
+TEST_CASE("for a single task no other thread is used") {
   int team = 0;
   Threads{5}.run(1, [&](std::size_t) { team = omp_get_num_threads(); });
   CHECK(team == 1);

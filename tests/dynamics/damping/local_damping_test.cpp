@@ -54,7 +54,7 @@ TEST_CASE("local damping depends on the sense of the motion and not on its speed
   CHECK(slow.moment == fast.moment);
 }
 
-TEST_CASE("a body at rest starts undamped, and one in equilibrium feels no damping") {
+TEST_CASE("a body at rest starts undamped, and one in equilibrium is not damped") {
   const LocalDamping damping{0.7};
   const Wrench at_rest = damping(moving({0, 0}, 0), {{7, 8}, 9});
   CHECK(at_rest.force == Vec2{0, 0});

@@ -121,7 +121,7 @@ TEST_CASE("a kick adds impulse over mass and angular impulse over inertia") {
   CHECK(body.position == Vec2{1, 2});
 }
 
-TEST_CASE("a scaled mass answers to a kick in proportion") {
+TEST_CASE("a kick changes the velocity in inverse proportion to the scaled mass") {
   Body body = moving_body();
   body.mass_scaling = 4;
   kick(body, {{16, 8}, -6}, 0.5);

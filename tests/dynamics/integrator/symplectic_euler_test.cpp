@@ -123,7 +123,7 @@ TEST_CASE("a torque spring turns a body at its own frequency") {
   CHECK(std::abs(body.rotation.angle() - 0.01 * std::cos(omega)) <= 0.01 * 2e-6);
 }
 
-TEST_CASE("symplectic Euler has nothing to finish") {
+TEST_CASE("symplectic Euler has no second kick") {
   CHECK(!SymplecticEuler::has_second_kick);
   Body body = oscillator();
   SymplecticEuler{}.second_kick(body, {{1, 2}, 3}, 0.1);

@@ -62,7 +62,7 @@ TEST_CASE("a convex polygon is valid to Boost.Geometry") {
   }
 }
 
-TEST_CASE("Boost.Geometry tells inside from outside") {
+TEST_CASE("Boost.Geometry distinguishes inside from outside") {
   const ConvexPolygon square = unit_square();
   CHECK(bg::within(Vec2{0.5, 0.9}, square));
   CHECK(bg::within(Vec2{0.01, 0.5}, square));  // beside the edge that closes the ring

@@ -95,7 +95,7 @@ double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
 }  // namespace
 
-TEST_CASE("a run tells its strength, stiffness, porosity and gradings") {
+TEST_CASE("a run has its strength, stiffness, porosity and gradings") {
   const rockfill::Sample s = rockfill::read_sample(run_of("wb", 2e6, 1, 0.5));
   CHECK(degrees(s.strength.friction_angle) == near_relative(30, round_off));
   CHECK(s.strength.normal_stress == near_relative(3e6, round_off));

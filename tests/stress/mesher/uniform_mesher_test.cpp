@@ -143,7 +143,7 @@ TEST_CASE("regular polygons from the triangle to 64 vertices are covered exactly
     }
 }
 
-TEST_CASE("corners that are nearly straight and edges that are very short do no harm") {
+TEST_CASE("polygons with nearly straight corners and very short edges are covered exactly") {
   for (const unsigned wanted : {4u, 100u, 1000u})
     for (const double small : {1e-2, 1e-3, 3e-4, 1e-5, 1e-8}) {
       const ConvexPolygon straight = centred({{0, 0}, {0.5, -small}, {1, 0}, {0.5, 1}});
@@ -275,7 +275,7 @@ TEST_CASE("a ring begun at another vertex has the same triangles") {
     }
 }
 
-TEST_CASE("a mesher wants between 4 and 10000 triangles") {
+TEST_CASE("a mesher makes between 4 and 10000 triangles") {
   CHECK(UniformMesher{}.triangles == 100);
   CHECK_NOTHROW(UniformMesher{4}.validate());
   CHECK_NOTHROW(UniformMesher{10000}.validate());

@@ -17,7 +17,7 @@ static_assert(PlaneState<Choice>);
 
 }  // namespace
 
-TEST_CASE("a plane state chosen at run time answers as the one that was chosen") {
+TEST_CASE("a plane state chosen at run time gives the same as the one that was chosen") {
   const Rock rock;
   const Stress2 stress{30e6, 70e6, 5e6};
   const Choice thin{PlaneStress{}};

@@ -19,7 +19,7 @@ static_assert(!SupportChoice<InertiaRelief>::needs_flexibility);
 
 }  // namespace
 
-TEST_CASE("a chosen support settles loads as the support itself") {
+TEST_CASE("a chosen support balances loads as the support itself") {
   Random random(303);
   const Mesh mesh = test::random_mesh(random, 60);
   const InfluenceOperator op(mesh, ConstantStrainTriangle{}, PlaneStress{}, Rock{}, 0.016, true);

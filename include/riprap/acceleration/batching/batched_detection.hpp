@@ -12,7 +12,7 @@
 #include <riprap/acceleration/batching/pair_batch.hpp>
 #include <riprap/acceleration/batching/prefetch.hpp>
 #include <riprap/contact/detection/concepts.hpp>
-#include <riprap/contact/find_contact.hpp>
+#include <riprap/contact/detection/find_contact.hpp>
 
 namespace riprap {
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include <riprap/contact/domain.hpp>
 #include <riprap/core/execution/serial.hpp>
+#include <riprap/particle/domain.hpp>
 #include <riprap/particle/particles.hpp>
 
 namespace riprap {

@@ -25,8 +25,6 @@ namespace riprap {
 /// LinearSupport and a ScreenableTrigger, and an OperatorStore with operators in single precision;
 /// under other supports and triggers every particle is evaluated. The default.
 struct StressBoundScreening {
-  static constexpr bool skips_particles = true;
-
   template <class BreakagePart, class StressPart>
   class State : public EvaluateAll::State<BreakagePart, StressPart> {
    public:

@@ -10,7 +10,7 @@
 
 namespace riprap {
 
-/// What a geologist sees of a rock mass (Hoek, Carranza-Torres and Corkum 2002). The defaults are
+/// Field observations of a rock mass (Hoek, Carranza-Torres and Corkum 2002). The defaults are
 /// Table 1's rock, intact.
 struct RockMass {
   double compressive_strength = 300e6;  ///< sigma_ci of the intact rock, uniaxial [Pa]

@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include <riprap/breakage/element_failure.hpp>
+#include <riprap/breakage/failure/element_failure.hpp>
 #include <riprap/core/policy.hpp>
 #include <riprap/geometry/cut.hpp>
 

@@ -12,8 +12,6 @@ namespace riprap {
 
 /// Skips no particle.
 struct EvaluateAll {
-  static constexpr bool skips_particles = false;
-
   template <class BreakagePart, class StressPart>
   struct State {
     State(const BreakagePart&, const StressPart&) {}

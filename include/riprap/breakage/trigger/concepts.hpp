@@ -7,7 +7,7 @@
 #include <concepts>
 #include <cstddef>
 
-#include <riprap/breakage/failure_count.hpp>
+#include <riprap/breakage/failure/failure_count.hpp>
 #include <riprap/core/ids.hpp>
 #include <riprap/core/policy.hpp>
 

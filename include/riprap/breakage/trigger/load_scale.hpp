@@ -9,7 +9,7 @@
 namespace riprap {
 
 /// What the stress of particle i is multiplied by: one over the particle's own strength, for
-/// triggers that know one; the criterion stays as it is.
+/// triggers that have one; the criterion stays as it is.
 template <Trigger T>
 [[nodiscard]] double load_scale(const T& trigger, const Particles& particles, BodyIndex i) {
   const ParticleId id = particles.ancestry(i).id;

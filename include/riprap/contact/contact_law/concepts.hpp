@@ -5,7 +5,7 @@
 
 #include <concepts>
 
-#include <riprap/contact/contact_geometry.hpp>
+#include <riprap/contact/pair/contact_geometry.hpp>
 #include <riprap/core/policy.hpp>
 
 namespace riprap {

@@ -11,7 +11,7 @@
 namespace riprap {
 
 /// Holds one of several contact laws, all of different types, and passes every question on to it. A
-/// contact keeps the history of the chosen law and forgets it when another is chosen.
+/// contact keeps the history of the chosen law and loses it when another is chosen.
 template <ContactLaw... Laws>
 struct ContactLawChoice {
   template <class Law>

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <riprap/contact/contact_law/concepts.hpp>
 #include <riprap/core/errors.hpp>
@@ -29,6 +30,13 @@ struct CoulombSlip {
     result.friction_loss =
         std::abs(0.5 * (before + result.force) * (trial - result.force)) / stiffness;
   return result;
+}
+
+/// Throws InvalidInput for parameters of `law` that are not finite numbers, 0 or above.
+inline void validate_coulomb_slip(const std::string& law, double tangential_stiffness,
+                                  double friction) {
+  require_non_negative(law + ".tangential_stiffness", tangential_stiffness);
+  require_non_negative(law + ".friction", friction);
 }
 
 /// Fills in the tangential half of a contact force.

@@ -61,8 +61,7 @@ struct EnergyConservingSpring {
 
   void validate() const {
     require_positive("EnergyConservingSpring.normal_stiffness", normal_stiffness);
-    require_non_negative("EnergyConservingSpring.tangential_stiffness", tangential_stiffness);
-    require_non_negative("EnergyConservingSpring.friction", friction);
+    validate_coulomb_slip("EnergyConservingSpring", tangential_stiffness, friction);
   }
 };
 

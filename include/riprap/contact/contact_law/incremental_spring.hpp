@@ -44,8 +44,7 @@ struct IncrementalSpring {
 
   void validate() const {
     require_positive("IncrementalSpring.normal_stiffness", normal_stiffness);
-    require_non_negative("IncrementalSpring.tangential_stiffness", tangential_stiffness);
-    require_non_negative("IncrementalSpring.friction", friction);
+    validate_coulomb_slip("IncrementalSpring", tangential_stiffness, friction);
   }
 };
 

@@ -40,8 +40,7 @@ struct LinearSpringCoulomb {
 
   void validate() const {
     require_positive("LinearSpringCoulomb.normal_stiffness", normal_stiffness);
-    require_non_negative("LinearSpringCoulomb.tangential_stiffness", tangential_stiffness);
-    require_non_negative("LinearSpringCoulomb.friction", friction);
+    validate_coulomb_slip("LinearSpringCoulomb", tangential_stiffness, friction);
   }
 };
 

@@ -46,8 +46,7 @@ struct OverlapAreaSpring {
 
   void validate() const {
     require_positive("OverlapAreaSpring.area_stiffness", area_stiffness);
-    require_non_negative("OverlapAreaSpring.tangential_stiffness", tangential_stiffness);
-    require_non_negative("OverlapAreaSpring.friction", friction);
+    validate_coulomb_slip("OverlapAreaSpring", tangential_stiffness, friction);
     require_positive("OverlapAreaSpring.largest_chord", largest_chord);
   }
 };

@@ -50,8 +50,7 @@ struct SpringDashpot {
 
   void validate() const {
     require_positive("SpringDashpot.normal_stiffness", normal_stiffness);
-    require_non_negative("SpringDashpot.tangential_stiffness", tangential_stiffness);
-    require_non_negative("SpringDashpot.friction", friction);
+    validate_coulomb_slip("SpringDashpot", tangential_stiffness, friction);
     require(damping_ratio >= 0 && damping_ratio < 1, "SpringDashpot.damping_ratio", damping_ratio,
             "must lie in [0, 1)");
   }

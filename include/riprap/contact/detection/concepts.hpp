@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <span>
 
-#include <riprap/contact/contact.hpp>
 #include <riprap/contact/narrow_phase/no_overlap.hpp>
 #include <riprap/contact/neighbour_list/rebuild_every_step.hpp>
-#include <riprap/contact/pair_map.hpp>
-#include <riprap/contact/task_partition.hpp>
+#include <riprap/contact/pair/contact.hpp>
+#include <riprap/contact/pair/pair_map.hpp>
+#include <riprap/contact/pair/task_partition.hpp>
 #include <riprap/core/policy.hpp>
 #include <riprap/particle/particles.hpp>
 

@@ -4,7 +4,7 @@
 /// Every pair is evaluated on its own at every step: the detection without acceleration.
 
 #include <riprap/contact/detection/concepts.hpp>
-#include <riprap/contact/find_contact.hpp>
+#include <riprap/contact/detection/find_contact.hpp>
 
 namespace riprap {
 

@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include <riprap/contact/contact_geometry.hpp>
 #include <riprap/contact/narrow_phase/common_part.hpp>
+#include <riprap/contact/pair/contact_geometry.hpp>
 #include <riprap/geometry/corner_corner_overlap.hpp>
 #include <riprap/geometry/corner_edge_overlap.hpp>
 #include <riprap/geometry/separation.hpp>

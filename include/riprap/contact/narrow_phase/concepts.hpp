@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <optional>
 
-#include <riprap/contact/contact_geometry.hpp>
+#include <riprap/contact/pair/contact_geometry.hpp>
 #include <riprap/core/policy.hpp>
 #include <riprap/core/vec2.hpp>
 

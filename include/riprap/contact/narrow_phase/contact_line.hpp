@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include <riprap/contact/contact_geometry.hpp>
 #include <riprap/contact/narrow_phase/common_part.hpp>
+#include <riprap/contact/pair/contact_geometry.hpp>
 
 namespace riprap {
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include <riprap/contact/contact_geometry.hpp>
+#include <riprap/contact/pair/contact_geometry.hpp>
 #include <riprap/core/vec2.hpp>
 #include <riprap/geometry/corner_corner_overlap.hpp>
 

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include <riprap/contact/contact_geometry.hpp>
+#include <riprap/contact/pair/contact_geometry.hpp>
 #include <riprap/core/simd.hpp>
 #include <riprap/geometry/corner_edge_overlap.hpp>
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include <riprap/contact/contact_geometry.hpp>
 #include <riprap/contact/narrow_phase/common_part.hpp>
+#include <riprap/contact/pair/contact_geometry.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
 #include <riprap/geometry/separation.hpp>
 

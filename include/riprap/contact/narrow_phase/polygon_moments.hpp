@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include <riprap/contact/contact_geometry.hpp>
+#include <riprap/contact/pair/contact_geometry.hpp>
 #include <riprap/core/vec2.hpp>
 #include <riprap/geometry/overlap.hpp>
 

@@ -6,10 +6,10 @@
 #include <concepts>
 #include <type_traits>
 
-#include <riprap/contact/domain.hpp>
-#include <riprap/contact/pair_search.hpp>
+#include <riprap/contact/broad_phase/pair_search.hpp>
 #include <riprap/core/execution/serial.hpp>
 #include <riprap/core/policy.hpp>
+#include <riprap/particle/domain.hpp>
 
 namespace riprap {
 

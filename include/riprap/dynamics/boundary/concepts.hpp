@@ -9,12 +9,12 @@
 #include <string_view>
 #include <vector>
 
-#include <riprap/contact/domain.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/core/policy.hpp>
 #include <riprap/core/vec2.hpp>
 #include <riprap/particle/assembly.hpp>
 #include <riprap/particle/body.hpp>
+#include <riprap/particle/domain.hpp>
 #include <riprap/particle/particles.hpp>
 
 namespace riprap {

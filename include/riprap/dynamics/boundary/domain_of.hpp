@@ -3,8 +3,8 @@
 /// @file
 /// The domain that a boundary makes.
 
-#include <riprap/contact/domain.hpp>
 #include <riprap/dynamics/boundary/concepts.hpp>
+#include <riprap/particle/domain.hpp>
 
 namespace riprap {
 

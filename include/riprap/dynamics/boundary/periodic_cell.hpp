@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <vector>
 
-#include <riprap/contact/domain.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/dynamics/boundary/concepts.hpp>
 #include <riprap/particle/assembly.hpp>
+#include <riprap/particle/domain.hpp>
 
 namespace riprap {
 

@@ -22,6 +22,8 @@ namespace riprap {
 struct UniformMesher {
   unsigned triangles = 100;  ///< wanted for every particle, whatever its size
 
+  // A template, so that a program that makes no mesh does not compile Boost.Polygon.
+  template <class Once = void>
   [[nodiscard]] Mesh operator()(Ring ring) const;
 
   void validate() const;
@@ -85,6 +87,7 @@ struct UniformMesher {
 
   // The Delaunay triangles are the duals of the Voronoi vertices; where more than three cells meet,
   // their centres are joined as a fan.
+  template <class Once>
   static void triangulate(Ring ring, Mesh& mesh);
 };
 
@@ -94,4 +97,6 @@ static_assert(Mesher<UniformMesher>);
 
 #ifndef RIPRAP_COMPILED
 #include <riprap/stress/mesher/uniform_mesher.ipp>
+#else
+extern template riprap::Mesh riprap::UniformMesher::operator()<void>(Ring) const;
 #endif

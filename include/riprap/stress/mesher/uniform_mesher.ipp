@@ -28,11 +28,12 @@ RIPRAP_INLINE void insert_points(Ring ring, const Mesh& mesh, PointVoronoiBuilde
 
 }  // namespace internal
 
-RIPRAP_INLINE Mesh UniformMesher::operator()(Ring ring) const {
+template <class Once>
+Mesh UniformMesher::operator()(Ring ring) const {
   require(aspect(ring) <= 1e5, "UniformMesher: aspect of a polygon", aspect(ring),
           "must be 1e5 at most");
   Mesh mesh = best_points(ring);
-  triangulate(ring, mesh);
+  triangulate<Once>(ring, mesh);
   return mesh;
 }
 
@@ -118,7 +119,8 @@ RIPRAP_INLINE UniformMesher::Row UniformMesher::row_inside(const std::vector<Edg
   return row;
 }
 
-RIPRAP_INLINE void UniformMesher::triangulate(Ring ring, Mesh& mesh) {
+template <class Once>
+void UniformMesher::triangulate(Ring ring, Mesh& mesh) {
   PointVoronoiBuilder builder;
   internal::insert_points(ring, mesh, builder);
   PointVoronoi voronoi;
@@ -143,3 +145,7 @@ RIPRAP_INLINE void UniformMesher::triangulate(Ring ring, Mesh& mesh) {
 }
 
 }  // namespace riprap
+
+#ifdef RIPRAP_COMPILED
+template riprap::Mesh riprap::UniformMesher::operator()<void>(Ring) const;
+#endif

@@ -15,7 +15,7 @@ namespace riprap {
 
 namespace requirements {
 
-/// `S::needs_flexibility`: whether the operator must know displacements of the boundary, which cost
+/// `S::needs_flexibility`: whether the operator must have displacements of the boundary, which cost
 /// memory; a constant, for it holds for all particles.
 template <class S>
 concept SupportFlexibility = requires {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/contact/contact.hpp>
+#include <riprap/contact/pair/contact.hpp>
 
 #include <doctest/doctest.h>
 

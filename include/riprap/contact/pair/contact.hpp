@@ -3,10 +3,10 @@
 /// @file
 /// Two neighbours and, while they touch, their contact.
 
-#include <riprap/contact/contact_geometry.hpp>
-#include <riprap/contact/domain.hpp>
+#include <riprap/contact/pair/contact_geometry.hpp>
 #include <riprap/core/ids.hpp>
 #include <riprap/core/vec2.hpp>
+#include <riprap/particle/domain.hpp>
 
 namespace riprap {
 

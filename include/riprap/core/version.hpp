@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-#include <riprap/compiler.hpp>
+#include <riprap/core/compiler.hpp>
 
 #define RIPRAP_VERSION_MAJOR 0
 #define RIPRAP_VERSION_MINOR 1

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/contact/pair_index.hpp>
+#include <riprap/contact/pair/pair_index.hpp>
 
 #include <doctest/doctest.h>
 
@@ -46,7 +46,7 @@ TEST_CASE("without pairs no body has a side") {
   for (BodyIndex i = 0; i < 3; ++i) CHECK(index.of(i).empty());
 }
 
-TEST_CASE("a side knows its pair and which body it is") {
+TEST_CASE("a side has its pair and which body it is") {
   CHECK(PairSide{}.index() == 0);
   CHECK(PairSide(7, false).index() == 14);
   CHECK(PairSide(7, true).index() == 15);

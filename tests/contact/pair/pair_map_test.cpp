@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/contact/pair_map.hpp>
+#include <riprap/contact/pair/pair_map.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/contact/task_partition.hpp>
+#include <riprap/contact/pair/task_partition.hpp>
 
 #include <doctest/doctest.h>
 
 #include <span>
 #include <vector>
 
-#include <riprap/contact/contact.hpp>
+#include <riprap/contact/pair/contact.hpp>
 
 using namespace riprap;
 
-TEST_CASE("a task has the pairs of its first bodies, and knows those that reach into it") {
+TEST_CASE(
+    "a task has the pairs of its first bodies, and those of earlier tasks that reach into it") {
   struct None {};
   using Pair = Contact<None, None>;
   constexpr BodyIndex t = task_size;

@@ -6,9 +6,9 @@
 #include <array>
 #include <optional>
 
-#include <riprap/contact/contact_geometry.hpp>
-#include <riprap/contact/domain.hpp>
+#include <riprap/contact/pair/contact_geometry.hpp>
 #include <riprap/geometry/convex_polygon.hpp>
+#include <riprap/particle/domain.hpp>
 #include <riprap/particle/particles.hpp>
 
 namespace riprap {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/contact/pair_list.hpp>
+#include <riprap/contact/pair/pair_list.hpp>
 
 #include <doctest/doctest.h>
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include <riprap/contact/contact.hpp>
-#include <riprap/contact/pair_map.hpp>
+#include <riprap/contact/pair/contact.hpp>
+#include <riprap/contact/pair/pair_map.hpp>
 #include <riprap/core/ids.hpp>
 #include <riprap/core/splitmix64.hpp>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/contact/find_contact.hpp>
+#include <riprap/contact/detection/find_contact.hpp>
 
 #include <doctest/doctest.h>
 
-#include <riprap/contact/contact.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
+#include <riprap/contact/pair/contact.hpp>
 #include <support/near.hpp>
 #include <support/rectangle.hpp>
 

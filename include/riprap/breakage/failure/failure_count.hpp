@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include <riprap/breakage/element_failure.hpp>
+#include <riprap/breakage/failure/element_failure.hpp>
 #include <riprap/stress/element_stress.hpp>
 
 namespace riprap {

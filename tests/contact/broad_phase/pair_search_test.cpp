@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/contact/pair_search.hpp>
+#include <riprap/contact/broad_phase/pair_search.hpp>
 
 #include <doctest/doctest.h>
 

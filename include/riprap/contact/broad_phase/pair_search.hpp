@@ -10,8 +10,8 @@
 #include <vector>
 
 #include <riprap/contact/broad_phase/concepts.hpp>
-#include <riprap/contact/domain.hpp>
 #include <riprap/core/errors.hpp>
+#include <riprap/particle/domain.hpp>
 #include <riprap/particle/particles.hpp>
 
 namespace riprap {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/contact/domain.hpp>
+#include <riprap/particle/domain.hpp>
 
 #include <doctest/doctest.h>
 
