@@ -25,7 +25,8 @@ namespace riprap {
 /// `Edge<N>`, made from an internal::EdgeCap<N>: overlaps of one or two corners with an edge, for
 /// one or several pairs (SIMD), whose member `overlap(l, one_vertex)` gives that of lane l;
 /// `of_edge(overlap, sign)` its contact, `sign` -1 if the edge is b's;
-/// `of_corners(corner_of_a, corner_of_b, lens)` the contact of two corners;
+/// `Corners<N>`, made from an internal::CornerLens<N>, and `of_corners(overlap)`: those of two
+/// corners;
 /// `of_common_part(a, b, common)` that of any other overlap.
 template <class Model>
 struct ClassifiedOverlap {
@@ -49,29 +50,32 @@ struct ClassifiedOverlap {
     if (cache.state == Cache::State::corner_edge) {
       if (auto contact = corner_edge_contact(a, b, cache)) return contact;
     } else if (cache.state == Cache::State::corner_corner) {
-      if (auto contact = corner_corner_contact(a, b, cache.corner_a, cache.corner_b))
-        return contact;
+      if (auto contact = corner_corner_contact(a, b, cache)) return contact;
     } else if (cache.state == Cache::State::apart && separated(a, b, cache.separating)) {
       return std::nullopt;
     }
     return by_clipping(a, b, cache);
   }
 
-  /// Pairs whose overlaps are corner-edge, the most common class, evaluated together (SIMD).
+  /// Pairs of one of the two classes with closed forms, evaluated together (SIMD).
   class Batch {
    public:
     using Of = Model;
     static constexpr std::size_t capacity = 4;
+    static constexpr std::size_t kinds = 2;
+
+    /// The class of a pair; `kinds` if it is evaluated singly.
+    [[nodiscard]] static std::size_t kind(const Cache& cache) {
+      if (cache.state == Cache::State::corner_edge) return 0;
+      return cache.state == Cache::State::corner_corner ? 1 : kinds;
+    }
 
     [[nodiscard]] std::size_t size() const { return size_; }
     void clear() { size_ = 0; }
     [[nodiscard]] bool add(Ring a, Ring b, const Cache& cache, ContactGeometry& contact) {
-      if (cache.state != Cache::State::corner_edge) return false;
-      const Ring ring = cache.of_b ? b : a;
-      const Ring other = cache.of_b ? a : b;
-      if (!cache.entry.fits(ring, other)) return false;
-      queries_[size_] = {ring.data(), other.data(), &cache.entry};
-      signs_[size_] = cache.of_b ? -1 : 1;
+      if (size_ > 0 && kind(cache) != kind_) return false;
+      kind_ = kind(cache);
+      if (kind_ == 0 ? !add_edge(a, b, cache) : !add_corners(a, b, cache)) return false;
       contacts_[size_] = &contact;
       ++size_;
       return true;
@@ -79,19 +83,43 @@ struct ClassifiedOverlap {
 
    private:
     friend ClassifiedOverlap;
+    [[nodiscard]] bool add_edge(Ring a, Ring b, const Cache& cache) {
+      const Ring ring = cache.of_b ? b : a;
+      const Ring other = cache.of_b ? a : b;
+      if (!cache.entry.fits(ring, other)) return false;
+      edges_[size_] = {ring.data(), other.data(), &cache.entry};
+      signs_[size_] = cache.of_b ? -1 : 1;
+      return true;
+    }
+    [[nodiscard]] bool add_corners(Ring a, Ring b, const Cache& cache) {
+      if (kind_ == kinds || !fits(a, b, cache)) return false;
+      corners_[size_] = query(a, b, cache);
+      return true;
+    }
+
     std::size_t size_ = 0;
-    std::array<CornerEdgeQuery, capacity> queries_;
+    std::size_t kind_ = 0;
+    std::array<CornerEdgeQuery, capacity> edges_;
     std::array<double, capacity> signs_;
+    std::array<CornerCornerQuery, capacity> corners_;
     std::array<ContactGeometry*, capacity> contacts_;
   };
   /// Evaluates a full batch.
   [[nodiscard]] unsigned find(const Batch& batch) const {
     unsigned found = 0;
-    find_corner_edge_overlaps<native_lanes, Model::template Edge>(
-        batch.queries_, [&](std::size_t l, const auto& overlap) __attribute__((always_inline)) {
-          *batch.contacts_[l] = Model::of_edge(overlap, batch.signs_[l]);
-          found |= 1U << l;
-        });
+    if (batch.kind_ == 0) {
+      find_corner_edge_overlaps<native_lanes, Model::template Edge>(
+          batch.edges_, [&](std::size_t l, const auto& overlap) __attribute__((always_inline)) {
+            *batch.contacts_[l] = Model::of_edge(overlap, batch.signs_[l]);
+            found |= 1U << l;
+          });
+    } else {
+      find_corner_corner_overlaps<native_lanes, Model::template Corners>(
+          batch.corners_, [&](std::size_t l, const auto& overlap) __attribute__((always_inline)) {
+            *batch.contacts_[l] = Model::of_corners(overlap);
+            found |= 1U << l;
+          });
+    }
     return found;
   }
 
@@ -118,12 +146,18 @@ struct ClassifiedOverlap {
     return Model::of_edge(*overlap, cache.of_b ? -1 : 1);
   }
 
-  [[nodiscard]] static std::optional<ContactGeometry>
-  corner_corner_contact(Ring a, Ring b, std::size_t corner_a, std::size_t corner_b) {
-    if (corner_a >= a.size() || corner_b >= b.size()) return std::nullopt;
-    const auto lens = corner_corner_overlap(a, corner_a, b, corner_b, margin(a, b));
-    if (!lens) return std::nullopt;
-    return Model::of_corners(a[corner_a], b[corner_b], *lens);
+  [[nodiscard]] static bool fits(Ring a, Ring b, const Cache& cache) {
+    return cache.corner_a < a.size() && cache.corner_b < b.size();
+  }
+  [[nodiscard]] static CornerCornerQuery query(Ring a, Ring b, const Cache& cache) {
+    return {a, b, cache.corner_a, cache.corner_b, margin(a, b)};
+  }
+  [[nodiscard]] static std::optional<ContactGeometry> corner_corner_contact(Ring a, Ring b,
+                                                                            const Cache& cache) {
+    if (!fits(a, b, cache)) return std::nullopt;
+    const auto overlap = corner_corner_overlap<Model::template Corners>(query(a, b, cache));
+    if (!overlap) return std::nullopt;
+    return Model::of_corners(*overlap);
   }
 
   [[nodiscard]] static std::optional<ContactGeometry> by_clipping(Ring a, Ring b, Cache& cache) {
@@ -153,12 +187,10 @@ struct ClassifiedOverlap {
       if (auto contact = corner_edge_contact(a, b, cache)) return contact;
     }
     if (const auto corners = common.corners()) {
-      if (auto contact = corner_corner_contact(a, b, corners->first, corners->second)) {
-        cache.state = Cache::State::corner_corner;
-        cache.corner_a = corners->first;
-        cache.corner_b = corners->second;
-        return contact;
-      }
+      cache.state = Cache::State::corner_corner;
+      cache.corner_a = corners->first;
+      cache.corner_b = corners->second;
+      if (auto contact = corner_corner_contact(a, b, cache)) return contact;
     }
     cache.state = Cache::State::general;
     return Model::of_common_part(a, b, common);

@@ -24,6 +24,8 @@ namespace riprap {
 struct OverlapChord : ClassifiedOverlap<OverlapChord> {
   template <class N>
   using Edge = internal::CornerEdgeOverlaps<N>;
+  template <class N>
+  using Corners = internal::CornerCornerOverlaps<N>;
 
   [[nodiscard, gnu::always_inline]] static ContactGeometry of_edge(const CornerEdgeOverlap& cap,
                                                                    double sign) {
@@ -34,8 +36,7 @@ struct OverlapChord : ClassifiedOverlap<OverlapChord> {
             .chord = cap.chord};
   }
 
-  [[nodiscard]] static ContactGeometry of_corners(const Vec2&, const Vec2&,
-                                                  const CornerCornerOverlap& lens) {
+  [[nodiscard]] static ContactGeometry of_corners(const CornerCornerOverlap& lens) {
     const double x = lens.leaves_a.x() - lens.enters_a.x();
     const double y = lens.leaves_a.y() - lens.enters_a.y();
     const double chord = std::sqrt(x * x + y * y);

@@ -29,6 +29,8 @@ namespace riprap {
 struct OverlapMoments : ClassifiedOverlap<OverlapMoments> {
   template <class N>
   using Edge = internal::EdgeMoments<N>;
+  template <class N>
+  using Corners = internal::CornerMoments<N>;
 
   [[nodiscard, gnu::always_inline]] static ContactGeometry of_edge(const ContactGeometry& contact,
                                                                    double sign) {
@@ -40,9 +42,9 @@ struct OverlapMoments : ClassifiedOverlap<OverlapMoments> {
     return pushing;
   }
 
-  [[nodiscard]] static ContactGeometry of_corners(const Vec2& corner_of_a, const Vec2& corner_of_b,
-                                                  const CornerCornerOverlap& lens) {
-    return internal::corner_moments(corner_of_a, corner_of_b, lens);
+  [[nodiscard, gnu::always_inline]] static const ContactGeometry&
+  of_corners(const ContactGeometry& contact) {
+    return contact;
   }
 
   [[nodiscard]] static ContactGeometry of_common_part(Ring a, Ring b, const CommonPart& common) {
