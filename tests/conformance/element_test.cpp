@@ -18,16 +18,16 @@ double area_of(const Corners& corners) {
 }
 
 struct LumpedTriangle : ConstantStrainTriangle {
-  Eigen::Matrix3d mass(const Corners& corners) const {
-    return area_of(corners) / 3 * Eigen::Matrix3d::Identity();
+  NodalMass<3> mass(const Corners& corners) const {
+    return area_of(corners) / 3 * NodalMass<3>::Identity();
   }
 };
 
 template <class Change>
 struct AlteredStrain : ConstantStrainTriangle {
   Change change;
-  StrainDisplacement strain_displacement(const Corners& corners) const {
-    StrainDisplacement b = ConstantStrainTriangle::strain_displacement(corners);
+  StrainDisplacement<3> strain_displacement(const Corners& corners, const Barycentric&) const {
+    StrainDisplacement<3> b = ConstantStrainTriangle::strain_displacement(corners);
     change(b);
     return b;
   }
@@ -40,8 +40,8 @@ Violations with_strain(Change change) {
 template <class Change>
 struct AlteredMass : ConstantStrainTriangle {
   Change change;
-  Eigen::Matrix3d mass(const Corners& corners) const {
-    Eigen::Matrix3d m = ConstantStrainTriangle::mass(corners);
+  NodalMass<3> mass(const Corners& corners) const {
+    NodalMass<3> m = ConstantStrainTriangle::mass(corners);
     change(m);
     return m;
   }
@@ -82,7 +82,7 @@ TEST_CASE("an element with the wrong mass is found out") {
                    m.setZero();
                    m.diagonal() << 0.5 * sum, 0.25 * sum, 0.25 * sum;
                  }),
-                 "every node carries a third of a uniform load");
+                 "a uniform load acts at the centroid");
   check_violated(with_mass([](auto& m) { m.setConstant(m.sum() / 9); }),
                  "the mass matrix is positive definite: smallest eigenvalue");
 }

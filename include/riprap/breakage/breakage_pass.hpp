@@ -56,8 +56,8 @@ class BreakagePass {
         evaluate_(op, input.stress.support, body.rotation, loads_.of(i), input.scale(i));
     const FailureCount failures = count_failures(input.breakage.criterion, stress);
     if (!input.breakage.trigger(failures)) return;
-    std::optional<Crack> crack = find_crack(input.breakage, failures, op.mesh(), stress, body,
-                                            input.particles.ring(i), input.mean_area);
+    std::optional<Crack> crack = find_crack(input.breakage, failures, op.sampling_points(), stress,
+                                            body, input.particles.ring(i), input.mean_area);
     if (crack)
       cracks_.emplace_back(i, std::move(*crack));
     else
