@@ -5,6 +5,7 @@
 
 #include <riprap/conformance/element.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
+#include <riprap/stress/element/linear_strain_triangle.hpp>
 
 using namespace riprap;
 using test::check_violated;
@@ -51,9 +52,15 @@ Violations with_mass(Change change) {
   return element_violations(AlteredMass<Change>{{}, change});
 }
 
+struct Hourglass : LinearStrainTriangle {
+  static constexpr auto integration_points = centroid_rule;
+};
+
 }  // namespace
 
-TEST_CASE("the element of riprap obeys the axioms") {
+TEST_CASE("the elements of riprap obey the axioms") {
+  CHECK(to_text(element_violations(LinearStrainTriangle{})) == "");
+  CHECK(to_text(element_violations(LinearStrainTriangle{}, 10)) == "");
   CHECK(to_text(element_violations(ConstantStrainTriangle{})) == "");
   CHECK(to_text(element_violations(ConstantStrainTriangle{}, 10)) == "");
 }
@@ -72,6 +79,20 @@ TEST_CASE("an element that is strained by rigid motion is found out") {
 TEST_CASE("an element with the wrong strain is found out") {
   check_violated(with_strain([](auto& b) { b.row(2) *= 0.5; }),
                  "linear displacements have their uniform strain");
+}
+
+TEST_CASE("an element with too few integration points is found out") {
+  check_violated(element_violations(Hourglass{}),
+                 "only rigid motions cost no energy: smallest eigenvalue but three");
+}
+
+TEST_CASE("an element that is wrong at one of its sampling points is found out") {
+  struct Bent : LinearStrainTriangle {
+    StrainDisplacement<6> strain_displacement(const Corners& corners, const Barycentric& at) const {
+      return (at[2] > 0.5 ? 1.001 : 1.0) * LinearStrainTriangle::strain_displacement(corners, at);
+    }
+  };
+  check_violated(element_violations(Bent{}), "linear displacements have their uniform strain");
 }
 
 TEST_CASE("an element with the wrong mass is found out") {

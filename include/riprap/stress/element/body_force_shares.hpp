@@ -11,10 +11,9 @@
 
 namespace riprap {
 
-/// Consistent forces of the nodes per unit of area: 3 nodes with linear or 6 with quadratic shape
-/// functions. `force(x)` is the body force at x; products with linear functions are integrated by
-/// the middles of the sides, with quadratic ones by the four points of degree three of Strang and
-/// Fix (1973).
+/// Consistent forces of the nodes over the area: means over the triangle of `force(x)`, linear in
+/// x, times the shape functions, 3 linear or 6 quadratic ones. The middles of the sides integrate
+/// the former exactly, the four points of degree three of Strang and Fix (1973) the latter.
 template <std::size_t Nodes, class Force>
 [[nodiscard]] std::array<Vec2, Nodes> body_force_shares(const std::array<Vec2, 3>& corners,
                                                         Force&& force) {
