@@ -50,6 +50,7 @@
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/particle/random_box_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
+#include <riprap/stress/element/linear_strain_triangle.hpp>
 #include <riprap/stress/mesher/fan_mesher.hpp>
 #include <riprap/stress/plane_state/plane_strain.hpp>
 #include <riprap/stress/support/two_pinned_contacts.hpp>

@@ -5,6 +5,7 @@
 
 #include <riprap/conformance/element.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
+#include <riprap/stress/element/linear_strain_triangle.hpp>
 
 using namespace riprap;
 using test::check_violated;
@@ -18,16 +19,16 @@ double area_of(const Corners& corners) {
 }
 
 struct LumpedTriangle : ConstantStrainTriangle {
-  Eigen::Matrix3d mass(const Corners& corners) const {
-    return area_of(corners) / 3 * Eigen::Matrix3d::Identity();
+  NodalMass<3> mass(const Corners& corners) const {
+    return area_of(corners) / 3 * NodalMass<3>::Identity();
   }
 };
 
 template <class Change>
 struct AlteredStrain : ConstantStrainTriangle {
   Change change;
-  StrainDisplacement strain_displacement(const Corners& corners) const {
-    StrainDisplacement b = ConstantStrainTriangle::strain_displacement(corners);
+  StrainDisplacement<3> strain_displacement(const Corners& corners, const Barycentric&) const {
+    StrainDisplacement<3> b = ConstantStrainTriangle::strain_displacement(corners);
     change(b);
     return b;
   }
@@ -40,8 +41,8 @@ Violations with_strain(Change change) {
 template <class Change>
 struct AlteredMass : ConstantStrainTriangle {
   Change change;
-  Eigen::Matrix3d mass(const Corners& corners) const {
-    Eigen::Matrix3d m = ConstantStrainTriangle::mass(corners);
+  NodalMass<3> mass(const Corners& corners) const {
+    NodalMass<3> m = ConstantStrainTriangle::mass(corners);
     change(m);
     return m;
   }
@@ -51,9 +52,15 @@ Violations with_mass(Change change) {
   return element_violations(AlteredMass<Change>{{}, change});
 }
 
+struct Hourglass : LinearStrainTriangle {
+  static constexpr auto integration_points = centroid_rule;
+};
+
 }  // namespace
 
-TEST_CASE("the element of riprap obeys the axioms") {
+TEST_CASE("the elements of riprap obey the axioms") {
+  CHECK(to_text(element_violations(LinearStrainTriangle{})) == "");
+  CHECK(to_text(element_violations(LinearStrainTriangle{}, 10)) == "");
   CHECK(to_text(element_violations(ConstantStrainTriangle{})) == "");
   CHECK(to_text(element_violations(ConstantStrainTriangle{}, 10)) == "");
 }
@@ -74,6 +81,20 @@ TEST_CASE("an element with the wrong strain is reported") {
                  "linear displacements have their uniform strain");
 }
 
+TEST_CASE("an element with too few integration points is reported") {
+  check_violated(element_violations(Hourglass{}),
+                 "only rigid motions cost no energy: smallest eigenvalue but three");
+}
+
+TEST_CASE("an element that is wrong at one of its sampling points is reported") {
+  struct Bent : LinearStrainTriangle {
+    StrainDisplacement<6> strain_displacement(const Corners& corners, const Barycentric& at) const {
+      return (at[2] > 0.5 ? 1.001 : 1.0) * LinearStrainTriangle::strain_displacement(corners, at);
+    }
+  };
+  check_violated(element_violations(Bent{}), "linear displacements have their uniform strain");
+}
+
 TEST_CASE("an element with the wrong mass is reported") {
   check_violated(with_mass([](auto& m) { m *= 1.001; }), "the mass matrix sums to the area");
   check_violated(with_mass([](auto& m) { m(0, 1) *= 1.001; }), "the mass matrix is symmetric");
@@ -82,7 +103,7 @@ TEST_CASE("an element with the wrong mass is reported") {
                    m.setZero();
                    m.diagonal() << 0.5 * sum, 0.25 * sum, 0.25 * sum;
                  }),
-                 "every node carries a third of a uniform load");
+                 "a uniform load acts at the centroid");
   check_violated(with_mass([](auto& m) { m.setConstant(m.sum() / 9); }),
                  "the mass matrix is positive definite: smallest eigenvalue");
 }

@@ -11,6 +11,7 @@
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
 #include <riprap/breakage/criterion/never_fails.hpp>
 #include <riprap/stress/assemble_and_solve.hpp>
+#include <riprap/stress/element/linear_strain_triangle.hpp>
 #include <riprap/stress/plane_state/plane_strain.hpp>
 #include <support/crossed_mesher.hpp>
 #include <support/loaded_particle.hpp>
@@ -322,4 +323,21 @@ TEST_CASE("bad input is named") {
                    (void)UnconfinedCompression{}.run(Rock{}, HoekBrown{}, UniformMesher{1});
                  }),
                  "UniformMesher.triangles = 1"));
+}
+
+TEST_CASE("six-node triangles find uniform stress under smooth platens, and Rat under rough ones") {
+  const auto run = [](double friction, unsigned triangles) {
+    return UnconfinedCompression{.friction = friction}.run(Rock{}, HoekBrown{},
+                                                           UniformMesher{.triangles = triangles},
+                                                           PlaneStress{}, LinearStrainTriangle{});
+  };
+  const UnconfinedResult smooth = run(0, 100);
+  REQUIRE(smooth.stress.size() == 4 * smooth.mesh.size());
+  CHECK(smooth.elements.size() == smooth.sampling_points().size());
+  for (std::size_t i = 0; i < smooth.stress.size(); ++i) {
+    CHECK(smooth.stress[i].s22 == near_relative(smooth.platen_stress, 1e-10));
+    CHECK(std::abs(smooth.stress[i].s11) <= 1e-10 * smooth.platen_stress);
+  }
+  // The limit of fine meshes of constant strain is 0.332; meshes differ by 0.03.
+  CHECK(run(rough, 250).ratio() == near(0.332, 0.03));
 }

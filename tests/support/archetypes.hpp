@@ -170,10 +170,14 @@ struct Mesher : Copyable {
 
 struct Element : Copyable {
   using Copyable::Copyable;
-  StrainDisplacement strain_displacement(Takes<std::array<Vec2, 3>> corners) const {
-    return ConstantStrainTriangle{}.strain_displacement(corners.get());
+  static constexpr std::size_t nodes = 3;
+  static constexpr std::array<TrianglePoint, 1> sampling_points = centroid_rule;
+  static constexpr std::array<TrianglePoint, 1> integration_points = centroid_rule;
+  StrainDisplacement<3> strain_displacement(Takes<std::array<Vec2, 3>> corners,
+                                            Takes<Barycentric> at) const {
+    return ConstantStrainTriangle{}.strain_displacement(corners.get(), at.get());
   }
-  Eigen::Matrix3d mass(Takes<std::array<Vec2, 3>> corners) const {
+  NodalMass<3> mass(Takes<std::array<Vec2, 3>> corners) const {
     return ConstantStrainTriangle{}.mass(corners.get());
   }
 };

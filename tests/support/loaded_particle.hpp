@@ -69,7 +69,7 @@ inline void balance(std::span<BoundaryLoad> loads, const Mesh& mesh) {
 [[nodiscard]] inline ElementStress stress_of(const InfluenceOperator& op,
                                              std::span<const BoundaryLoad> loads) {
   ElementStress stress;
-  stress.reset(op.mesh().size());
+  stress.reset(op.sampling_points().size());
   for (const BoundaryLoad& load : loads) op.add_stress(load.at, load.force_body, stress);
   return stress;
 }

@@ -6,9 +6,9 @@
 using namespace riprap;
 
 struct LumpedTriangle : ConstantStrainTriangle {  // a third of the mass at each corner
-  Eigen::Matrix3d mass(const std::array<Vec2, 3>& corners) const {
+  NodalMass<3> mass(const std::array<Vec2, 3>& corners) const {
     const double area = 0.5 * cross(corners[1] - corners[0], corners[2] - corners[0]);
-    return area / 3 * Eigen::Matrix3d::Identity();
+    return area / 3 * NodalMass<3>::Identity();
   }
 };
 

@@ -56,7 +56,7 @@ class BreakagePass {
                                                        input.particles, i, loads_.of(i), evaluate_);
     if (!input.breakage.trigger(failures)) return;
     std::optional<Crack> crack =
-        find_crack(input.breakage, failures, op.mesh(), stress, input.particles.body(i),
+        find_crack(input.breakage, failures, op.sampling_points(), stress, input.particles.body(i),
                    input.particles.ring(i), input.mean_area);
     if (crack)
       cracks_.emplace_back(i, std::move(*crack));

@@ -15,7 +15,7 @@
 #include <riprap/geometry/cut.hpp>
 #include <riprap/particle/body.hpp>
 #include <riprap/stress/element_stress.hpp>
-#include <riprap/stress/mesher/mesh.hpp>
+#include <riprap/stress/sampling_points.hpp>
 
 namespace riprap {
 
@@ -27,15 +27,16 @@ struct Crack {
   CutRings pieces;
 };
 
-/// Centroids of the failed elements with their weights 1/SF, in laboratory axes.
+/// Failed sampling points of the elements with their weights 1/SF, in laboratory axes.
 template <Criterion C>
 [[nodiscard]] std::vector<WeightedPoint>
-failed_points(const C& criterion, const Mesh& mesh, const ElementStress& stress, const Body& body) {
+failed_points(const C& criterion, const SamplingPoints& samples, const ElementStress& stress,
+              const Body& body) {
   std::vector<WeightedPoint> points;
   for (std::size_t e = 0; e < stress.size(); ++e) {
     const ElementFailure element = evaluate(criterion, stress[e]);
     if (element.failed())
-      points.push_back({body.position + body.rotation * mesh.centroid(e), element.weight()});
+      points.push_back({body.position + body.rotation * samples.position(e), element.weight()});
   }
   return points;
 }
@@ -57,12 +58,13 @@ inline void require_whole(const CutRings& pieces, Ring ring) {
 /// Throws InvalidInput if the areas of the pieces do not add up to that of the ring.
 /// @param model  offers `criterion`, `line_fit` and `splitter`
 /// @param failures  of `stress` under the criterion
-/// @param stress of the elements of `mesh`, in the body's own frame
+/// @param samples where in the particle its stress is sampled; a mesh: in its centroids
+/// @param stress at the sampling points, in the body's own frame
 /// @param ring   of the particle, in laboratory coordinates
 /// @param mean_area of the intact particles [m^2]
 template <class BreakagePart>
 [[nodiscard]] std::optional<Crack>
-find_crack(const BreakagePart& model, const FailureCount& failures, const Mesh& mesh,
+find_crack(const BreakagePart& model, const FailureCount& failures, const SamplingPoints& samples,
            const ElementStress& stress, const Body& body, Ring ring, double mean_area) {
   const Stress2 first = stress[failures.first_failed];
   Crack crack;
@@ -70,7 +72,7 @@ find_crack(const BreakagePart& model, const FailureCount& failures, const Mesh& 
   crack.mode = evaluate(model.criterion, first).mode;
   const FailurePlanes planes =
       failure_planes(model.criterion, first.rotated(body.rotation), crack.mode);
-  const auto points = failed_points(model.criterion, mesh, stress, body);
+  const auto points = failed_points(model.criterion, samples, stress, body);
   const std::optional<Line> line = model.line_fit(std::span<const WeightedPoint>(points), planes);
   if (!line) return std::nullopt;
   crack.line = *line;

@@ -65,7 +65,8 @@ struct UnconfinedCompression {
                                   {0.5 * width, -0.5 * height},
                                   {0.5 * width, 0.5 * height},
                                   {-0.5 * width, 0.5 * height}};
-    result.mesh = mesher(rectangle.ring());
+    result.mesh = mesh_for_element<E::nodes>(mesher(rectangle.ring()));
+    result.sampling_rule = E::sampling_points;
     find_platen_nodes(result);
     Deformation d = shortened(result, element, plane, rock);
     apply_load(d, result);

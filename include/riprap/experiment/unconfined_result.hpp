@@ -15,6 +15,7 @@
 #include <riprap/breakage/failure/failure_count.hpp>
 #include <riprap/stress/element_stress.hpp>
 #include <riprap/stress/mesher/mesh.hpp>
+#include <riprap/stress/sampling_points.hpp>
 
 namespace riprap {
 
@@ -31,9 +32,10 @@ struct PlatenNode {
 
 /// The specimen under its load, centre at the origin, loaded along axis 2.
 struct UnconfinedResult {
-  Mesh mesh;
+  Mesh mesh;  ///< with the nodes of the element
+  std::span<const TrianglePoint> sampling_rule = centroid_rule;
   ElementStress stress;
-  std::vector<ElementFailure> elements;
+  std::vector<ElementFailure> elements;  ///< at their sampling points
   FailureCount failures;
   std::size_t tensile = 0;  ///< elements that failed in tension
   std::size_t shear = 0;
@@ -43,6 +45,7 @@ struct UnconfinedResult {
   double axial_strain = 0;               ///< shortening over height [-]
   std::vector<PlatenNode> platen_nodes;  ///< of the bottom platen from the left, then of the top's
 
+  [[nodiscard]] SamplingPoints sampling_points() const { return {mesh, sampling_rule}; }
   /// Rat [-].
   [[nodiscard]] double ratio() const { return failures.ratio(); }
 
@@ -67,7 +70,7 @@ template <Criterion C, LineFit F>
   const std::size_t first = result.failures.first_failed;
   const FailurePlanes planes =
       failure_planes(criterion, result.stress[first], result.elements[first].mode);
-  const auto points = failed_points(criterion, result.mesh, result.stress, Body{});
+  const auto points = failed_points(criterion, result.sampling_points(), result.stress, Body{});
   return fit(std::span<const WeightedPoint>(points), planes);
 }
 

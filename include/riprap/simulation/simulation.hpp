@@ -163,16 +163,15 @@ class Simulation {
     breakage_.operators.set_budget(bytes);
   }
 
-  /// Element stresses of particle i under its present contact forces, in its own frame.
+  /// Element stresses of particle i under its present contact forces, the points of the elements at
+  /// which they are sampled, and the finite-element mesh, in the particle's own frame.
   [[nodiscard]] ElementStress element_stress(BodyIndex i) const {
-    require_body(i);
-    return stress_query().element_stress(i);
+    return stress_query(i).element_stress(i);
   }
-  /// The finite-element mesh of particle i, in its own frame.
-  [[nodiscard]] Mesh mesh(BodyIndex i) const {
-    require_body(i);
-    return stress_query().mesh(i);
+  [[nodiscard]] std::vector<SamplingPoint> sampling_points(BodyIndex i) const {
+    return stress_query(i).sampling_points(i);
   }
+  [[nodiscard]] Mesh mesh(BodyIndex i) const { return stress_query(i).mesh(i); }
   /// Rat of every particle now (0 for driven and unloaded ones), in the order of the bodies.
   [[nodiscard]] std::vector<double> failed_ratios() const {
     std::vector<double> ratios(particles_.size(), 0);
@@ -187,6 +186,9 @@ class Simulation {
 
   [[nodiscard]] StressQuery<ModelType, Contacts> stress_query() const {
     return {model_, rock_, particles_, contacts_, breakage_};
+  }
+  [[nodiscard]] StressQuery<ModelType, Contacts> stress_query(BodyIndex i) const {
+    return require_body(i), stress_query();
   }
 
   [[nodiscard]] auto body_step() {

@@ -22,12 +22,20 @@ class StressQuery {
               const Contacts& contacts, const BreakageStage<ModelType>& stage)
       : model_(model), rock_(rock), particles_(particles), contacts_(contacts), stage_(stage) {}
 
-  /// Element stresses of particle i under its present contact forces, in its own frame.
+  /// Element stresses of particle i under its present contact forces, in its own frame, in the
+  /// order of its sampling points.
   [[nodiscard]] ElementStress element_stress(BodyIndex i) const {
     return StressEvaluation{}(*find_operator(i), model_.stress_model.support,
                               particles_.body(i).rotation, loads_on(contacts_, i), 1);
   }
   [[nodiscard]] Mesh mesh(BodyIndex i) const { return find_operator(i)->mesh(); }
+  [[nodiscard]] std::vector<SamplingPoint> sampling_points(BodyIndex i) const {
+    const auto op = find_operator(i);
+    const SamplingPoints all = op->sampling_points();
+    std::vector<SamplingPoint> points;
+    for (std::size_t k = 0; k < all.size(); ++k) points.push_back(all[k]);
+    return points;
+  }
 
   /// Share of the failed elements of every particle; 0 for driven and unloaded ones.
   [[nodiscard]] std::vector<double> failed_ratios() const {

@@ -21,9 +21,13 @@
 #include <riprap/material/rock.hpp>
 #include <riprap/stress/boundary_load.hpp>
 #include <riprap/stress/determinate_support.hpp>
+#include <riprap/stress/element/body_force_shares.hpp>
 #include <riprap/stress/element/concepts.hpp>
+#include <riprap/stress/element/element_stiffness.hpp>
 #include <riprap/stress/element_stress.hpp>
 #include <riprap/stress/mesher/mesh.hpp>
+#include <riprap/stress/mesher/mid_side_nodes.hpp>
+#include <riprap/stress/nodal_shares.hpp>
 #include <riprap/stress/plane_state/concepts.hpp>
 
 namespace riprap {
@@ -37,13 +41,14 @@ class AssembleAndSolve {
  public:
   /// Also factorises. Throws InvalidInput for a mesh, a rock, a thickness or a support that breaks
   /// a rule.
-  /// @param mesh      anywhere in the plane; its centroid need not be the origin
+  /// @param mesh      anywhere in the plane; its centroid need not be the origin. Mid-side nodes
+  /// are
+  ///                  added where the element has them: points and nodes are those of `mesh()`
   /// @param thickness out of plane [m]
   AssembleAndSolve(Mesh mesh, const E& element, const P& plane, const Rock& rock, double thickness,
                    const DeterminateSupport& support)
-      : mesh_(std::move(mesh)), element_(element), elasticity_(plane.elasticity(rock)),
-        density_(rock.density), thickness_(thickness) {
-    mesh_.validate();
+      : mesh_(mesh_for_element<E::nodes>(std::move(mesh))), element_(element),
+        elasticity_(plane.elasticity(rock)), density_(rock.density), thickness_(thickness) {
     rock.validate();
     require_positive("AssembleAndSolve.thickness", thickness);
     integrate_mass();
@@ -61,9 +66,9 @@ class AssembleAndSolve {
     std::fill_n(stiffness_.valuePtr(), stiffness_.nonZeros(), 0.0);
     auto slot = slots_.begin();
     for (std::size_t e = 0; e < mesh_.size(); ++e) {
-      const Matrix6 k = element_stiffness(e);
-      for (int q = 0; q < 6; ++q)
-        for (int p = 0; p < 6; ++p, ++slot)
+      const ElementStiffness<E> k = stiffness_of(e);
+      for (Eigen::Index q = 0; q < k.cols(); ++q)
+        for (Eigen::Index p = 0; p < k.rows(); ++p, ++slot)
           if (*slot >= 0) stiffness_.valuePtr()[*slot] += k(p, q);
     }
     cholesky_.factorize(stiffness_);
@@ -84,7 +89,7 @@ class AssembleAndSolve {
     for (std::size_t i = 0; i < unknown_of_.size(); ++i)
       if (unknown_of_[i] >= 0)
         displacements_[static_cast<Eigen::Index>(i)] = solution_[unknown_of_[i]];
-    find_stress(displacements_, stress);
+    find_element_stress(element_, mesh_, elasticity_, displacements_, stress);
   }
 
   /// Stresses while two boundary points are held fast in both directions, by Lagrange multipliers,
@@ -110,27 +115,21 @@ class AssembleAndSolve {
     Eigen::VectorXd right_side = Eigen::VectorXd::Zero(n + 4);
     add_loads(loads, right_side);
     const Eigen::VectorXd solution = lu.solve(right_side);
-    find_stress(solution, stress);
+    find_element_stress(element_, mesh_, elasticity_, solution, stress);
     return {-scale * solution.segment<2>(n), -scale * solution.segment<2>(n + 2)};
   }
 
  private:
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
   using Triplets = std::vector<Eigen::Triplet<double>>;
 
   [[nodiscard]] Eigen::Index node_count() const {
     return static_cast<Eigen::Index>(mesh_.nodes.size());
   }
-  [[nodiscard]] std::array<Eigen::Index, 6> degrees_of_freedom(std::size_t e) const {
-    std::array<Eigen::Index, 6> dof{};
-    for (std::size_t k = 0; k < 6; ++k)
-      dof[k] = 2 * static_cast<Eigen::Index>(mesh_.triangles[e][k / 2]) +
-               static_cast<Eigen::Index>(k % 2);
-    return dof;
+  [[nodiscard]] ElementStiffness<E> stiffness_of(std::size_t e) const {
+    return element_stiffness(element_, mesh_, e, elasticity_, thickness_);
   }
-  [[nodiscard]] Matrix6 element_stiffness(std::size_t e) const {
-    const StrainDisplacement b = element_.strain_displacement(mesh_.triangle(e));
-    return (thickness_ * mesh_.area(e)) * (b.transpose() * elasticity_ * b);
+  [[nodiscard]] NodalShares shares(const BoundaryPoint& at) const {
+    return nodal_shares(at, E::nodes == 6, mesh_.boundary_nodes);
   }
   // Middles of the edges, where three points of equal weight integrate quadratics exactly.
   [[nodiscard]] std::array<Vec2, 3> edge_middles(std::size_t e) const {
@@ -174,7 +173,7 @@ class AssembleAndSolve {
     Triplets entries;
     const auto for_each_entry = [&](auto&& visit) {
       for (std::size_t e = 0; e < mesh_.size(); ++e) {
-        const auto dof = degrees_of_freedom(e);
+        const auto dof = degrees_of_freedom<E>(mesh_, e);
         for (const Eigen::Index q : dof)
           for (const Eigen::Index p : dof)
             visit(unknown_of_[static_cast<std::size_t>(p)],
@@ -187,7 +186,7 @@ class AssembleAndSolve {
     });
     stiffness_.resize(right_side_.size(), right_side_.size());
     stiffness_.setFromTriplets(entries.begin(), entries.end());
-    slots_.reserve(36 * mesh_.size());
+    slots_.reserve(element_unknowns<E> * element_unknowns<E> * mesh_.size());
     for_each_entry([&](Eigen::Index row, Eigen::Index column) {
       slots_.push_back(column >= 0 && row >= column
                            ? &stiffness_.coeffRef(row, column) - stiffness_.valuePtr()
@@ -199,8 +198,9 @@ class AssembleAndSolve {
   void add_loads(std::span<const BoundaryLoad> loads, Eigen::VectorXd& forces) const {
     for (const BoundaryLoad& load : loads) {
       require_boundary_load(load.at, load.force_body, mesh_.boundary_nodes);
-      forces.segment<2>(2 * Eigen::Index{load.at.node}) += load.at.weight * load.force_body;
-      forces.segment<2>(2 * Eigen::Index{load.at.next}) += (1 - load.at.weight) * load.force_body;
+      const NodalShares spread = shares(load.at);
+      for (std::size_t k = 0; k < spread.count; ++k)
+        forces.segment<2>(2 * Eigen::Index{spread.nodes[k]}) += spread.weights[k] * load.force_body;
     }
   }
 
@@ -215,19 +215,18 @@ class AssembleAndSolve {
     const Vec2 acceleration = force / mass_;
     const double spin = moment / inertia_;
     for (std::size_t e = 0; e < mesh_.size(); ++e) {
-      const auto middles = edge_middles(e);
-      const double mass = density_ * thickness_ * mesh_.area(e) / 3;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vec2 share = 0.5 * mass * (acceleration + spin * perpendicular(middles[k] - centre_));
-        for (const std::uint32_t node : {mesh_.triangles[e][k], mesh_.triangles[e][(k + 1) % 3]})
-          forces.segment<2>(2 * Eigen::Index{node}) -= share;
-      }
+      const double mass = density_ * thickness_ * mesh_.area(e);
+      const auto nodal = body_force_shares<E::nodes>(mesh_.triangle(e), [&](const Vec2& x) {
+        return Vec2(mass * (acceleration + spin * perpendicular(x - centre_)));
+      });
+      for (std::size_t k = 0; k < E::nodes; ++k)
+        forces.segment<2>(2 * Eigen::Index{mesh_.node(e, k)}) -= nodal[k];
     }
   }
 
   [[nodiscard]] double mean_stiffness() const {
     double trace = 0;
-    for (std::size_t e = 0; e < mesh_.size(); ++e) trace += element_stiffness(e).trace();
+    for (std::size_t e = 0; e < mesh_.size(); ++e) trace += stiffness_of(e).trace();
     return trace / static_cast<double>(2 * node_count());
   }
 
@@ -235,36 +234,24 @@ class AssembleAndSolve {
                                               double scale) const {
     Triplets entries;
     for (std::size_t e = 0; e < mesh_.size(); ++e) {
-      const Matrix6 k = element_stiffness(e);
-      const auto dof = degrees_of_freedom(e);
-      for (std::size_t p = 0; p < 6; ++p)
-        for (std::size_t q = 0; q < 6; ++q)
+      const ElementStiffness<E> k = stiffness_of(e);
+      const auto dof = degrees_of_freedom<E>(mesh_, e);
+      for (std::size_t p = 0; p < dof.size(); ++p)
+        for (std::size_t q = 0; q < dof.size(); ++q)
           entries.emplace_back(static_cast<int>(dof[p]), static_cast<int>(dof[q]),
                                k(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(q)));
     }
     auto row = static_cast<int>(2 * node_count());
     for (const BoundaryPoint& pin : pins)
-      for (int axis = 0; axis < 2; ++axis, ++row)
-        for (const auto& [node, weight] :
-             {std::pair{pin.node, pin.weight}, std::pair{pin.next, 1 - pin.weight}}) {
-          const int column = 2 * static_cast<int>(node) + axis;
-          entries.emplace_back(row, column, scale * weight);
-          entries.emplace_back(column, row, scale * weight);
+      for (int axis = 0; axis < 2; ++axis, ++row) {
+        const NodalShares held = shares(pin);
+        for (std::size_t k = 0; k < held.count; ++k) {
+          const int column = 2 * static_cast<int>(held.nodes[k]) + axis;
+          entries.emplace_back(row, column, scale * held.weights[k]);
+          entries.emplace_back(column, row, scale * held.weights[k]);
         }
+      }
     return entries;
-  }
-
-  // Compression is positive.
-  void find_stress(const Eigen::VectorXd& displacements, ElementStress& stress) const {
-    stress.reset(mesh_.size());
-    for (std::size_t e = 0; e < mesh_.size(); ++e) {
-      Eigen::Matrix<double, 6, 1> nodal;
-      const auto dof = degrees_of_freedom(e);
-      for (std::size_t k = 0; k < 6; ++k) nodal[static_cast<int>(k)] = displacements[dof[k]];
-      const Eigen::Vector3d tension =
-          elasticity_ * (element_.strain_displacement(mesh_.triangle(e)) * nodal);
-      stress.set(e, {-tension[0], -tension[1], -tension[2]});
-    }
   }
 
   Mesh mesh_;

@@ -4,8 +4,6 @@
 /// Element stresses as a linear function of boundary forces, computed once per particle shape.
 
 #include <Eigen/Core>
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -17,14 +15,19 @@
 #include <riprap/stress/boundary_load.hpp>
 #include <riprap/stress/boundary_locator.hpp>
 #include <riprap/stress/element/concepts.hpp>
+#include <riprap/stress/element/element_matrices.hpp>
 #include <riprap/stress/element_stress.hpp>
 #include <riprap/stress/mesher/mesh.hpp>
+#include <riprap/stress/mesher/mid_side_nodes.hpp>
+#include <riprap/stress/nodal_shares.hpp>
 #include <riprap/stress/plane_state/concepts.hpp>
+#include <riprap/stress/sampling_points.hpp>
 
 namespace riprap {
 
 /// stress = S f. The mesh never changes in the particle's own frame, so neither does S: checking a
-/// particle costs one pass over four columns of S per contact instead of assembling and solving.
+/// particle costs one pass over four columns of S per contact (six with six-node elements) instead
+/// of assembling and solving.
 ///
 /// The particle is free: a net force and moment are balanced by its inertia (inertia relief), and
 /// rigid modes carry no stress. Stress does not depend on Young's modulus.
@@ -32,7 +35,8 @@ class InfluenceOperator {
  public:
   InfluenceOperator() = default;
 
-  /// @param mesh      in the body's own frame, centroid at the origin
+  /// @param mesh      in the body's own frame, centroid at the origin; mid-side nodes are added
+  ///                  where the element has them: points of its boundary are those of `mesh()`
   /// @param thickness out of plane [m]
   /// @param with_flexibility also keep the displacements of the boundary (for pinned supports)
   /// Throws InvalidInput for a mesh, a rock or a thickness that breaks a rule, and for an element
@@ -40,19 +44,11 @@ class InfluenceOperator {
   template <Element E, PlaneState P>
   InfluenceOperator(Mesh mesh, const E& element, const P& plane, const Rock& rock, double thickness,
                     bool with_flexibility)
-      : mesh_(std::move(mesh)) {
-    mesh_.validate();
-    locator_ = BoundaryLocator(mesh_);
+      : mesh_(mesh_for_element<E::nodes>(std::move(mesh))), rule_(E::sampling_points),
+        locator_(mesh_) {
     rock.validate();
     require_positive("InfluenceOperator: thickness", thickness);
-    std::vector<ElementMatrices> elements(mesh_.size());
-    for (std::size_t e = 0; e < mesh_.size(); ++e) {
-      const std::array<Vec2, 3> corners = mesh_.triangle(e);
-      const StrainDisplacement strain = element.strain_displacement(corners);
-      const Eigen::Matrix3d mass = element.mass(corners);
-      std::copy_n(strain.data(), elements[e].strain.size(), elements[e].strain.data());
-      std::copy_n(mass.data(), elements[e].mass.size(), elements[e].mass.data());
-    }
+    const ElementMatrices elements = element_matrices(mesh_, element);
     const Eigen::Matrix3d elasticity = plane.elasticity(rock);
     build<void>(elements, elasticity.data(), thickness, with_flexibility);
   }
@@ -60,8 +56,10 @@ class InfluenceOperator {
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] const BoundaryLocator& locator() const { return locator_; }
   [[nodiscard]] bool empty() const { return stress_.size() == 0; }
-  /// S [1/m^2]: a column for each boundary node and axis, with the s11 of every element, then the
-  /// s22, then the s12.
+  /// Where the stresses are those of: the rows of each component of S.
+  [[nodiscard]] SamplingPoints sampling_points() const { return {mesh_, rule_}; }
+  /// S [1/m^2]: a column for each boundary node and axis, with the s11 of every sampling point,
+  /// then the s22, then the s12.
   [[nodiscard]] const Eigen::MatrixXd& columns() const { return stress_; }
 
   /// Adds the stresses due to a force [N] at a boundary point. Throws InvalidInput for a point that
@@ -82,28 +80,29 @@ class InfluenceOperator {
     return 2 * static_cast<Eigen::Index>(node);
   }
 
-  // Of one element, by columns.
-  struct ElementMatrices {
-    std::array<double, 18> strain;
-    std::array<double, 9> mass;
-  };
-  using Elements = std::span<const ElementMatrices>;
+  void add_quadratic_stress(const BoundaryPoint& at, const Vec2& force,
+                            ElementStress& stress) const;
 
   // Templates, so that a program without breakage does not compile the factorisation.
   template <class Once>
-  void build(Elements elements, const double* elasticity, double thickness, bool with_flexibility);
+  void build(const ElementMatrices& elements, const double* elasticity, double thickness,
+             bool with_flexibility);
   template <class Once>
   [[nodiscard]] std::vector<double> solve(std::vector<double> stiffness,
                                           const std::vector<double>& mass) const;
-  [[nodiscard]] std::vector<double> assemble_stiffness(Elements elements, const double* elasticity,
+  [[nodiscard]] std::vector<double> assemble_stiffness(const ElementMatrices& elements,
+                                                       const double* elasticity,
                                                        double thickness) const;
-  [[nodiscard]] std::vector<double> assemble_mass(Elements elements) const;
-  void find_stress(const std::vector<double>& displacement, Elements elements,
+  [[nodiscard]] std::vector<double> assemble_mass(const ElementMatrices& elements) const;
+  void find_stress(const std::vector<double>& displacement, const ElementMatrices& elements,
                    const double* elasticity);
+  void fill_row(std::size_t row, std::span<const double> to_stress,
+                std::span<const std::size_t> unknown, const std::vector<double>& displacement);
 
   Mesh mesh_;
+  std::span<const TrianglePoint> rule_;  // of the sampling points of an element
   BoundaryLocator locator_;
-  Eigen::MatrixXd stress_;       // 3 elements x 2 boundary nodes, compression positive
+  Eigen::MatrixXd stress_;       // 3 sampling points x 2 boundary nodes, compression positive
   Eigen::MatrixXd flexibility_;  // 2 boundary nodes squared, or empty
 };
 
@@ -112,5 +111,6 @@ class InfluenceOperator {
 #ifndef RIPRAP_COMPILED
 #include <riprap/stress/influence_operator.ipp>
 #else
-extern template void riprap::InfluenceOperator::build<void>(Elements, const double*, double, bool);
+extern template void riprap::InfluenceOperator::build<void>(const ElementMatrices&, const double*,
+                                                            double, bool);
 #endif

@@ -70,6 +70,7 @@ template <class Once>
 RIPRAP_INLINE void InfluenceOperator::add_stress(const BoundaryPoint& at, const Vec2& force,
                                                  ElementStress& stress) const {
   require_boundary_load(at, force, mesh_.boundary_nodes);
+  if (!mesh_.mid_sides.empty()) return add_quadratic_stress(at, force, stress);
   const double w = at.weight;
   const double near_x = w * force.x();
   const double near_y = w * force.y();
@@ -91,6 +92,21 @@ RIPRAP_INLINE void InfluenceOperator::add_stress(const BoundaryPoint& at, const 
     sum[i] += near_x * near[i] + near_y * near[count + i] + far_x * far[i] + far_y * far[count + i];
 }
 
+// The same with the shares of three nodes.
+RIPRAP_INLINE void InfluenceOperator::add_quadratic_stress(const BoundaryPoint& at,
+                                                           const Vec2& force,
+                                                           ElementStress& stress) const {
+  const NodalShares shares = nodal_shares(at, true, mesh_.boundary_nodes);
+  const auto count = static_cast<std::size_t>(stress_.rows());
+  double* const sum = stress.values().data();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double x = shares.weights[k] * force.x();
+    const double y = shares.weights[k] * force.y();
+    const double* const columns = stress_.data() + column(shares.nodes[k]) * stress_.rows();
+    for (std::size_t i = 0; i < count; ++i) sum[i] += x * columns[i] + y * columns[count + i];
+  }
+}
+
 RIPRAP_INLINE Vec2 InfluenceOperator::displacement(const BoundaryPoint& of, const BoundaryPoint& at,
                                                    const Vec2& force) const {
   const auto block = [&](std::uint32_t i, std::uint32_t j) -> Vec2 {
@@ -99,15 +115,23 @@ RIPRAP_INLINE Vec2 InfluenceOperator::displacement(const BoundaryPoint& of, cons
     };
     return {f(0, 0) * force.x() + f(0, 1) * force.y(), f(1, 0) * force.x() + f(1, 1) * force.y()};
   };
-  return of.weight *
-             (at.weight * block(of.node, at.node) + (1 - at.weight) * block(of.node, at.next)) +
-         (1 - of.weight) *
-             (at.weight * block(of.next, at.node) + (1 - at.weight) * block(of.next, at.next));
+  const bool quadratic = !mesh_.mid_sides.empty();
+  const NodalShares to = nodal_shares(of, quadratic, mesh_.boundary_nodes);
+  const NodalShares from = nodal_shares(at, quadratic, mesh_.boundary_nodes);
+  const auto row = [&](std::size_t i) {
+    Vec2 sum = from.weights[0] * block(to.nodes[i], from.nodes[0]);
+    for (std::size_t j = 1; j < from.count; ++j)
+      sum += from.weights[j] * block(to.nodes[i], from.nodes[j]);
+    return sum;
+  };
+  Vec2 sum = to.weights[0] * row(0);
+  for (std::size_t i = 1; i < to.count; ++i) sum += to.weights[i] * row(i);
+  return sum;
 }
 
 template <class Once>
-void InfluenceOperator::build(Elements elements, const double* elasticity, double thickness,
-                              bool with_flexibility) {
+void InfluenceOperator::build(const ElementMatrices& elements, const double* elasticity,
+                              double thickness, bool with_flexibility) {
   const std::vector<double> displacement =
       solve<Once>(assemble_stiffness(elements, elasticity, thickness), assemble_mass(elements));
   find_stress(displacement, elements, elasticity);
@@ -124,42 +148,45 @@ void InfluenceOperator::build(Elements elements, const double* elasticity, doubl
 }
 
 // By columns; so is the mass.
-RIPRAP_INLINE std::vector<double> InfluenceOperator::assemble_stiffness(Elements elements,
-                                                                        const double* elasticity,
-                                                                        double thickness) const {
+RIPRAP_INLINE std::vector<double>
+InfluenceOperator::assemble_stiffness(const ElementMatrices& elements, const double* elasticity,
+                                      double thickness) const {
   const std::size_t unknowns = 2 * mesh_.nodes.size();
   std::vector<double> stiffness(unknowns * unknowns, 0);
-  for (std::size_t e = 0; e < elements.size(); ++e) {
+  const std::size_t size = 2 * elements.nodes;
+  for (std::size_t e = 0; e < mesh_.size(); ++e) {
     const double volume = thickness * mesh_.area(e);
-    const auto b = [&](std::size_t row, std::size_t col) {
-      return elements[e].strain[3 * col + row];
-    };
     const auto unknown = [&](std::size_t p) {
-      return 2 * std::size_t{mesh_.triangles[e][p / 2]} + p % 2;
+      return 2 * std::size_t{mesh_.node(e, p / 2)} + p % 2;
     };
-    for (std::size_t p = 0; p < 6; ++p) {
-      std::array<double, 3> stress{};
-      for (std::size_t j = 0; j < 3; ++j)
-        for (std::size_t k = 0; k < 3; ++k) stress[j] += volume * b(k, p) * elasticity[3 * j + k];
-      for (std::size_t q = 0; q < 6; ++q) {
-        double sum = 0;
-        for (std::size_t j = 0; j < 3; ++j) sum += stress[j] * b(j, q);
-        stiffness[unknown(q) * unknowns + unknown(p)] += sum;
+    for (std::size_t i = 0; i < elements.shares.size(); ++i) {
+      const double part = elements.shares[i] * volume;
+      const double* const strain = elements.strain_to_integrate(e, i);
+      const auto b = [&](std::size_t row, std::size_t col) { return strain[3 * col + row]; };
+      for (std::size_t p = 0; p < size; ++p) {
+        std::array<double, 3> stress{};
+        for (std::size_t j = 0; j < 3; ++j)
+          for (std::size_t k = 0; k < 3; ++k) stress[j] += part * b(k, p) * elasticity[3 * j + k];
+        for (std::size_t q = 0; q < size; ++q) {
+          double sum = 0;
+          for (std::size_t j = 0; j < 3; ++j) sum += stress[j] * b(j, q);
+          stiffness[unknown(q) * unknowns + unknown(p)] += sum;
+        }
       }
     }
   }
   return stiffness;
 }
 
-RIPRAP_INLINE std::vector<double> InfluenceOperator::assemble_mass(Elements elements) const {
+RIPRAP_INLINE std::vector<double>
+InfluenceOperator::assemble_mass(const ElementMatrices& elements) const {
   const std::size_t n = mesh_.nodes.size();
   std::vector<double> mass(n * n, 0);
-  for (std::size_t e = 0; e < elements.size(); ++e) {
-    const auto& nodes = mesh_.triangles[e];
-    for (std::size_t p = 0; p < 3; ++p)
-      for (std::size_t q = 0; q < 3; ++q)
-        mass[nodes[q] * n + nodes[p]] += elements[e].mass[3 * q + p];
-  }
+  for (std::size_t e = 0; e < mesh_.size(); ++e)
+    for (std::size_t p = 0; p < elements.nodes; ++p)
+      for (std::size_t q = 0; q < elements.nodes; ++q)
+        mass[mesh_.node(e, q) * n + mesh_.node(e, p)] +=
+            elements.mass_of(e)[elements.nodes * q + p];
   return mass;
 }
 
@@ -205,42 +232,64 @@ std::vector<double> InfluenceOperator::solve(std::vector<double> stiffness,
 }
 
 RIPRAP_INLINE void InfluenceOperator::find_stress(const std::vector<double>& displacement,
-                                                  Elements elements, const double* elasticity) {
-  const std::size_t unknowns = 2 * mesh_.nodes.size();
-  const std::size_t loads = displacement.size() / unknowns;
-  const std::size_t count = elements.size();
+                                                  const ElementMatrices& elements,
+                                                  const double* elasticity) {
+  const std::size_t size = 2 * elements.nodes;
+  const std::size_t count = sampling_points().size();
+  const std::size_t loads = displacement.size() / (2 * mesh_.nodes.size());
   stress_.resize(static_cast<Eigen::Index>(3 * count), static_cast<Eigen::Index>(loads));
-  for (std::size_t e = 0; e < count; ++e) {
-    std::array<std::size_t, 6> unknown{};
-    for (std::size_t k = 0; k < 6; ++k)
-      unknown[k] = 2 * std::size_t{mesh_.triangles[e][k / 2]} + k % 2;
+  std::array<std::size_t, 12> unknown{};
+  std::array<double, 12> to_stress{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t e = i / rule_.size();
+    for (std::size_t k = 0; k < size; ++k)
+      unknown[k] = 2 * std::size_t{mesh_.node(e, k / 2)} + k % 2;
     for (std::size_t row = 0; row < 3; ++row) {
       // The one place where tension-positive algebra becomes compression-positive stress.
-      std::array<double, 6> to_stress{};
-      for (std::size_t k = 0; k < 6; ++k) {
-        const double* const strain = elements[e].strain.data() + 3 * k;
+      for (std::size_t k = 0; k < size; ++k) {
+        const double* const strain = elements.sampled_strain(i) + 3 * k;
         to_stress[k] = -(elasticity[row] * strain[0] +
                          (elasticity[row + 3] * strain[1] + elasticity[row + 6] * strain[2]));
       }
-      const auto term = [&](const double* of_load, std::size_t k) {
-        return to_stress[k] * of_load[unknown[k]];
-      };
-      double* entry = stress_.data() + row * count + e;
-      // The order of the terms is that of a product by Eigen in two lanes, so that the bytes stay.
-      for (std::size_t c = 0; c < loads; ++c, entry += 3 * count) {
-        const double* const u = displacement.data() + c * unknowns;
-        if (row == 2)
-          *entry =
-              (term(u, 0) + (term(u, 1) + term(u, 2))) + (term(u, 3) + (term(u, 4) + term(u, 5)));
-        else
-          *entry = term(u, 0) + term(u, 1) + term(u, 2) + term(u, 3) + term(u, 4) + term(u, 5);
-      }
+      fill_row(row * count + i, {to_stress.data(), size}, {unknown.data(), size}, displacement);
     }
   }
+}
+
+// One row of the stresses, for all loads.
+RIPRAP_INLINE void InfluenceOperator::fill_row(std::size_t row, std::span<const double> to_stress,
+                                               std::span<const std::size_t> unknown,
+                                               const std::vector<double>& displacement) {
+  const std::size_t unknowns = 2 * mesh_.nodes.size();
+  const auto rows = static_cast<std::size_t>(stress_.rows());
+  const std::size_t loads = displacement.size() / unknowns;
+  // Copies: the entries that are written might be these numbers for all that a compiler knows.
+  std::array<double, 6> factors{};
+  std::array<std::size_t, 6> places{};
+  std::copy_n(to_stress.begin(), 6, factors.begin());
+  std::copy_n(unknown.begin(), 6, places.begin());
+  const auto term = [&](const double* of_load, std::size_t k) {
+    return factors[k] * of_load[places[k]];
+  };
+  const bool shear = 3 * row >= 2 * rows;
+  double* entry = stress_.data() + row;
+  for (std::size_t c = 0; c < loads; ++c, entry += rows) {
+    const double* const u = displacement.data() + c * unknowns;
+    // The order of the terms is that of a product by Eigen in two lanes, so that the bytes stay.
+    if (shear)
+      *entry = (term(u, 0) + (term(u, 1) + term(u, 2))) + (term(u, 3) + (term(u, 4) + term(u, 5)));
+    else
+      *entry = term(u, 0) + term(u, 1) + term(u, 2) + term(u, 3) + term(u, 4) + term(u, 5);
+  }
+  entry = stress_.data() + row;
+  for (std::size_t c = 0; unknown.size() > 6 && c < loads; ++c, entry += rows)
+    for (std::size_t k = 6; k < unknown.size(); ++k)
+      *entry += to_stress[k] * displacement[c * unknowns + unknown[k]];
 }
 
 }  // namespace riprap
 
 #ifdef RIPRAP_COMPILED
-template void riprap::InfluenceOperator::build<void>(Elements, const double*, double, bool);
+template void riprap::InfluenceOperator::build<void>(const ElementMatrices&, const double*, double,
+                                                     bool);
 #endif

@@ -44,7 +44,7 @@ class StressEvaluation {
                            rotation.inverse_times(load.force_lab), load.normal_force});
     }
     support.apply_reactions(std::span<BoundaryLoad>(balanced_), op);
-    stress_.reset(op.mesh().size());
+    stress_.reset(op.sampling_points().size());
     for (const BoundaryLoad& load : balanced_)
       op.add_stress(load.at, scale * load.force_body, stress_);
     return stress_;

@@ -16,8 +16,10 @@
 #include <riprap/core/errors.hpp>
 #include <riprap/material/rock.hpp>
 #include <riprap/stress/element/concepts.hpp>
+#include <riprap/stress/element/element_stiffness.hpp>
 #include <riprap/stress/element_stress.hpp>
 #include <riprap/stress/mesher/mesh.hpp>
+#include <riprap/stress/mesher/mid_side_nodes.hpp>
 #include <riprap/stress/plane_state/concepts.hpp>
 
 namespace riprap {
@@ -53,7 +55,8 @@ struct Deformation {
 template <Element E, PlaneState P>
 class PrescribedDisplacement {
  public:
-  /// @param mesh      anywhere in the plane
+  /// @param mesh      anywhere in the plane; mid-side nodes are added where the element has them:
+  ///                  nodes are those of `mesh()`
   /// @param thickness out of plane [m]
   /// @param held      the prescribed components, each named once, in the order of the values
   /// Throws InvalidInput for a mesh, a rock or a thickness that breaks a rule and for a component
@@ -61,9 +64,8 @@ class PrescribedDisplacement {
   /// the held components leave the body free to move.
   PrescribedDisplacement(Mesh mesh, const E& element, const P& plane, const Rock& rock,
                          double thickness, std::vector<NodeComponent> held)
-      : mesh_(std::move(mesh)), element_(element), elasticity_(plane.elasticity(rock)),
-        thickness_(thickness), held_(std::move(held)) {
-    mesh_.validate();
+      : mesh_(mesh_for_element<E::nodes>(std::move(mesh))), element_(element),
+        elasticity_(plane.elasticity(rock)), thickness_(thickness), held_(std::move(held)) {
     rock.validate();
     require_positive("PrescribedDisplacement.thickness", thickness);
     number_unknowns();
@@ -94,13 +96,11 @@ class PrescribedDisplacement {
     const Eigen::VectorXd forces = stiffness_ * d.displacements;
     d.forces.setZero(size());
     for (const NodeComponent& c : held_) d.forces[place(c)] = forces[place(c)];
-    find_stress(d.displacements, d.stress);
+    find_element_stress(element_, mesh_, elasticity_, d.displacements, d.stress);
     return d;
   }
 
  private:
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
   [[nodiscard]] Eigen::Index size() const {
     return 2 * static_cast<Eigen::Index>(mesh_.nodes.size());
   }
@@ -110,12 +110,6 @@ class PrescribedDisplacement {
   [[nodiscard]] Eigen::Index unknown(Eigen::Index place) const {
     return unknown_of_[static_cast<std::size_t>(place)];
   }
-  [[nodiscard]] std::array<Eigen::Index, 6> places(std::size_t e) const {
-    std::array<Eigen::Index, 6> out{};
-    for (std::uint32_t k = 0; k < 6; ++k) out[k] = place({mesh_.triangles[e][k / 2], k % 2});
-    return out;
-  }
-
   // -1 marks a held component.
   void number_unknowns() {
     unknown_of_.assign(static_cast<std::size_t>(size()), 0);
@@ -132,13 +126,12 @@ class PrescribedDisplacement {
 
   void assemble() {
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(36 * mesh_.size());
+    entries.reserve(element_unknowns<E> * element_unknowns<E> * mesh_.size());
     for (std::size_t e = 0; e < mesh_.size(); ++e) {
-      const StrainDisplacement b = element_.strain_displacement(mesh_.triangle(e));
-      const Matrix6 k = (thickness_ * mesh_.area(e)) * (b.transpose() * elasticity_ * b);
-      const auto at = places(e);
-      for (std::size_t q = 0; q < 6; ++q)
-        for (std::size_t p = 0; p < 6; ++p)
+      const ElementStiffness<E> k = element_stiffness(element_, mesh_, e, elasticity_, thickness_);
+      const auto at = degrees_of_freedom<E>(mesh_, e);
+      for (std::size_t q = 0; q < at.size(); ++q)
+        for (std::size_t p = 0; p < at.size(); ++p)
           entries.emplace_back(static_cast<int>(at[p]), static_cast<int>(at[q]),
                                k(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(q)));
     }
@@ -162,20 +155,6 @@ class PrescribedDisplacement {
     if (cholesky_.info() != Eigen::Success ||
         !(cholesky_.vectorD().minCoeff() > 1e-12 * cholesky_.vectorD().maxCoeff()))
       throw SimulationError("PrescribedDisplacement: the held components leave the body free");
-  }
-
-  // Compression is positive.
-  void find_stress(const Eigen::VectorXd& displacements, ElementStress& stress) const {
-    stress.reset(mesh_.size());
-    for (std::size_t e = 0; e < mesh_.size(); ++e) {
-      Eigen::Matrix<double, 6, 1> nodal;
-      const auto at = places(e);
-      for (std::size_t k = 0; k < 6; ++k)
-        nodal[static_cast<Eigen::Index>(k)] = displacements[at[k]];
-      const Eigen::Vector3d tension =
-          elasticity_ * (element_.strain_displacement(mesh_.triangle(e)) * nodal);
-      stress.set(e, {-tension[0], -tension[1], -tension[2]});
-    }
   }
 
   Mesh mesh_;

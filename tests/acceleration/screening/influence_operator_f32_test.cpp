@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <riprap/stress/element/constant_strain_triangle.hpp>
+#include <riprap/stress/element/linear_strain_triangle.hpp>
 #include <riprap/stress/plane_state/plane_stress.hpp>
 #include <support/loaded_particle.hpp>
 #include <support/near.hpp>
@@ -18,6 +19,13 @@ namespace {
 
 InfluenceOperator exact_operator(const Mesh& mesh) {
   return {mesh, ConstantStrainTriangle{}, PlaneStress{}, Rock{}, 0.016, false};
+}
+
+// With three or six nodes; loads are to be placed on the mesh of the operator.
+InfluenceOperator random_operator(Random& random, unsigned triangles) {
+  const Mesh mesh = test::random_mesh(random, triangles);
+  if (random.uniform_integer(0, 1) == 0) return exact_operator(mesh);
+  return {mesh, LinearStrainTriangle{}, PlaneStress{}, Rock{}, 0.016, false};
 }
 
 double frobenius_square(const ElementStress& stress) {
@@ -41,10 +49,10 @@ TEST_CASE("the error of the compact operator is below its bound, and the bound i
   Random random(91);
   ElementStressF32 stress;
   for (int sample = 0; sample < 60; ++sample) {
-    const Mesh mesh = test::random_mesh(random, random.uniform_integer(10, 150));
-    const InfluenceOperator exact = exact_operator(mesh);
+    const InfluenceOperator exact = random_operator(random, random.uniform_integer(10, 100));
+    const Mesh& mesh = exact.mesh();
     const InfluenceOperatorF32 compact(exact);
-    CHECK(compact.elements() == mesh.size());
+    CHECK(compact.elements() == exact.sampling_points().size());
     const auto loads = test::random_loads(mesh, random.uniform_integer(1, 8), random);
     const double scale = random.uniform(0.1, 3);
     compact.find_stress(loads, scale, stress);
@@ -66,8 +74,8 @@ TEST_CASE("the error of the compact operator is below its bound, and the bound i
 TEST_CASE("the norm of all stresses is a quadratic form in the forces") {
   Random random(92);
   for (int sample = 0; sample < 30; ++sample) {
-    const Mesh mesh = test::random_mesh(random, 100);
-    const InfluenceOperator exact = exact_operator(mesh);
+    const InfluenceOperator exact = random_operator(random, 60);
+    const Mesh& mesh = exact.mesh();
     const InfluenceOperatorF32 compact(exact);
     const auto loads = test::random_loads(mesh, 4, random);
     double form = 0;
@@ -85,8 +93,8 @@ TEST_CASE("the norm of all stresses is a quadratic form in the forces") {
 TEST_CASE("no unit force stresses a particle more than the largest norm") {
   Random random(93);
   for (int sample = 0; sample < 30; ++sample) {
-    const Mesh mesh = test::random_mesh(random, 100);
-    const InfluenceOperator exact = exact_operator(mesh);
+    const InfluenceOperator exact = random_operator(random, 60);
+    const Mesh& mesh = exact.mesh();
     const InfluenceOperatorF32 compact(exact);
     double largest = 0;
     for (auto& load : test::random_loads(mesh, 400, random)) {
@@ -96,7 +104,8 @@ TEST_CASE("no unit force stresses a particle more than the largest norm") {
     }
     // Half the round-off of the products.
     CHECK(largest <= (1 + InfluenceOperatorF32::product_error) * compact.largest_norm());
-    CHECK(largest >= 0.7 * compact.largest_norm());
+    // The bound on the shares of quadratic shape functions takes another fifth.
+    CHECK(largest >= 0.5 * compact.largest_norm());
   }
 }
 
@@ -104,8 +113,8 @@ TEST_CASE("a unit force that moves changes the stresses by no more than steepnes
   Random random(94);
   double tightest = 0;
   for (int sample = 0; sample < 30; ++sample) {
-    const Mesh mesh = test::random_mesh(random, 100);
-    const InfluenceOperator exact = exact_operator(mesh);
+    const InfluenceOperator exact = random_operator(random, 60);
+    const Mesh& mesh = exact.mesh();
     const InfluenceOperatorF32 compact(exact);
     for (BoundaryLoad load : test::random_loads(mesh, 100, random)) {
       load.force_body /= load.force_body.norm();

@@ -64,7 +64,7 @@ Eigen::VectorXd displacements(const Mesh& mesh, const Eigen::Matrix3d& elasticit
   const Eigen::Index n = forces.size();
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
   for (std::size_t e = 0; e < mesh.size(); ++e) {
-    const StrainDisplacement b = ConstantStrainTriangle{}.strain_displacement(mesh.triangle(e));
+    const StrainDisplacement<3> b = ConstantStrainTriangle{}.strain_displacement(mesh.triangle(e));
     const Eigen::Matrix<double, 6, 6> k = thickness * mesh.area(e) * b.transpose() * elasticity * b;
     for (int p = 0; p < 6; ++p)
       for (int q = 0; q < 6; ++q)
@@ -94,7 +94,7 @@ Eigen::Vector3d strain(const Mesh& mesh, std::size_t e, const Eigen::VectorXd& d
 }  // namespace
 
 TEST_CASE("the unit right triangle has the strain-displacement matrix of the textbook") {
-  StrainDisplacement expected;
+  StrainDisplacement<3> expected;
   expected << -1, 0, 1, 0, 0, 0,  //
       0, -1, 0, 0, 0, 1,          //
       -1, -1, 0, 1, 1, 0;
@@ -123,7 +123,7 @@ TEST_CASE("rigid motions cause no strain") {
       shift.segment<2>(2 * k) = Vec2{2, -3};
       turn.segment<2>(2 * k) = perpendicular(t[static_cast<std::size_t>(k)]);
     }
-    const StrainDisplacement b = ConstantStrainTriangle{}.strain_displacement(t);
+    const StrainDisplacement<3> b = ConstantStrainTriangle{}.strain_displacement(t);
     CHECK((b * shift).norm() <= 1e-14 * b.norm());
     CHECK((b * turn).norm() <= 1e-14 * b.norm());
   }
@@ -138,7 +138,7 @@ TEST_CASE("the mass matrix integrates products of shape functions") {
     integral += middle * middle.transpose() / 3;
   for (const auto& t : triangles()) {
     const double area = 0.5 * cross(t[1] - t[0], t[2] - t[0]);
-    const Eigen::Matrix3d mass = ConstantStrainTriangle{}.mass(t);
+    const NodalMass<3> mass = ConstantStrainTriangle{}.mass(t);
     CHECK((mass - area * integral).norm() <= 1e-15 * area);
     CHECK(mass.sum() == near_relative(area, 1e-15));
   }

@@ -14,15 +14,16 @@
 #include <riprap/stress/boundary_load.hpp>
 #include <riprap/stress/boundary_locator.hpp>
 #include <riprap/stress/influence_operator.hpp>
+#include <riprap/stress/nodal_shares.hpp>
 
 namespace riprap {
 
-/// Stresses [Pa] of all elements in single precision. Every component is within `error` of the
-/// result of the InfluenceOperator.
+/// Stresses [Pa] of all elements, at their sampling points, in single precision. Every component is
+/// within `error` of the result of the InfluenceOperator.
 struct ElementStressF32 {
   std::vector<float> values;  ///< the s11 of every element, then the s22, then the s12, each padded
-  std::size_t elements = 0;
-  std::size_t stride = 0;  ///< from one component to the next
+  std::size_t elements = 0;   ///< sampling points
+  std::size_t stride = 0;     ///< from one component to the next
   double error = 0;
 
   [[nodiscard]] std::span<const float> component(std::size_t c) const {
@@ -45,6 +46,7 @@ class InfluenceOperatorF32 {
   InfluenceOperatorF32() = default;
   explicit InfluenceOperatorF32(const InfluenceOperator& op);
 
+  /// Number of sampling points.
   [[nodiscard]] std::size_t elements() const { return elements_; }
   [[nodiscard]] const BoundaryLocator& locator() const { return locator_; }
 
@@ -59,12 +61,16 @@ class InfluenceOperatorF32 {
   static constexpr double product_error = 4e-5;
   [[nodiscard]] AxisForm product(const BoundaryPoint& a, const BoundaryPoint& b) const;
 
+  /// The sum of the absolute shares of a force at the nodes of its side, and that of their slopes,
+  /// are at most so many times those of linear shape functions, which are 1 and 2 per node spacing.
+  [[nodiscard]] double shape_factor() const { return quadratic_ ? 2 : 1; }
+
   /// Largest Frobenius norm of the stresses due to a unit force anywhere on the boundary [1/m^2].
   [[nodiscard]] double largest_norm() const { return largest_norm_; }
   /// Distance from `at` along its edge within which `position_sensitivity` is valid [m]: one node
   /// spacing.
   [[nodiscard]] double valid_radius(const BoundaryPoint& at) const {
-    return static_cast<double>(segments_[at.node].length);
+    return static_cast<double>(segments_[at.node * ends()].length);
   }
   /// Upper bound on the Frobenius norm of the change of the stresses due to `force` [N], per unit
   /// of arc length by which its point moves near `at` [N/m^3].
@@ -83,10 +89,18 @@ class InfluenceOperatorF32 {
   [[nodiscard]] const float* column(std::size_t j) const {
     return columns_.data() + j * 3 * stride_;
   }
+  [[nodiscard]] AxisForm quadratic_product(const BoundaryPoint& a, const BoundaryPoint& b) const;
   [[nodiscard]] AxisForm block(std::uint32_t i, std::uint32_t j) const;
   [[nodiscard]] float stress_product(const float* a, const float* b) const;
   void sum_products();
   void find_position_sensitivity(const Mesh& mesh);
+  [[nodiscard]] std::array<float, 3> slopes(std::uint32_t node, std::uint32_t end) const;
+  // Ends of a segment at which the sensitivity differs: the derivative of the stresses is constant
+  // along it, or linear, so that its norm is the largest at an end.
+  [[nodiscard]] std::uint32_t ends() const { return quadratic_ ? 2 : 1; }
+  [[nodiscard]] NodalShares shares(const BoundaryPoint& at) const {
+    return nodal_shares(at, quadratic_, locator_.nodes());
+  }
 
   // Of boundary, from a node to the next: with the quadratic form of the squared sensitivity.
   struct Segment {
@@ -96,12 +110,13 @@ class InfluenceOperatorF32 {
   };
 
   BoundaryLocator locator_;
+  bool quadratic_ = false;  // shape functions of the sides
   std::size_t elements_ = 0;
   std::size_t stride_ = 0;
   std::vector<float> columns_;      // of the components of ElementStressF32
   std::vector<AxisForm> products_;  // of two nodes each, the lower triangle row by row
   std::vector<float> largest_;      // component of the two columns of a node
-  std::vector<Segment> segments_;
+  std::vector<Segment> segments_;   // one for each of the ends
   double largest_norm_ = 0;
 };
 

@@ -32,8 +32,8 @@ namespace internal {
 }  // namespace internal
 
 RIPRAP_INLINE InfluenceOperatorF32::InfluenceOperatorF32(const InfluenceOperator& op)
-    : locator_(op.locator()), elements_(op.mesh().size()),
-      stride_((elements_ + pad - 1) / pad * pad) {
+    : locator_(op.locator()), quadratic_(!op.mesh().mid_sides.empty()),
+      elements_(op.sampling_points().size()), stride_((elements_ + pad - 1) / pad * pad) {
   const Eigen::MatrixXd& exact = op.columns();
   const auto count = static_cast<std::size_t>(exact.cols());
   columns_.assign(3 * stride_ * count, 0);
@@ -60,8 +60,9 @@ RIPRAP_INLINE void InfluenceOperatorF32::find_stress(std::span<const BoundaryLoa
   double terms = 0;
   for (const BoundaryLoad& load : loads) {
     require_boundary_load(load.at, load.force_body, locator_.nodes());
-    const Vec2 near = scale * load.at.weight * load.force_body;
-    const Vec2 far = scale * (1 - load.at.weight) * load.force_body;
+    const NodalShares share = shares(load.at);
+    const Vec2 near = scale * share.weights[0] * load.force_body;
+    const Vec2 far = scale * share.weights[1] * load.force_body;
     const std::array<float, 4> factors{static_cast<float>(near.x()), static_cast<float>(near.y()),
                                        static_cast<float>(far.x()), static_cast<float>(far.y())};
     const float* const near_columns = column(2 * std::size_t{load.at.node});
@@ -77,17 +78,30 @@ RIPRAP_INLINE void InfluenceOperatorF32::find_stress(std::span<const BoundaryLoa
     terms +=
         (std::abs(near.x()) + std::abs(near.y())) * static_cast<double>(largest_[load.at.node]) +
         (std::abs(far.x()) + std::abs(far.y())) * static_cast<double>(largest_[load.at.next]);
+    if (share.count == 2) continue;
+    const Vec2 rest = scale * share.weights[2] * load.force_body;
+    const auto rest_x = static_cast<float>(rest.x());
+    const auto rest_y = static_cast<float>(rest.y());
+    const float* const third = column(2 * std::size_t{share.nodes[2]});
+    for (std::size_t i = 0; i < size; i += 4)
+      store_lanes(sum + i, internal::four_floats(sum + i) +
+                               (rest_x * internal::four_floats(third + i) +
+                                rest_y * internal::four_floats(third + size + i)));
+    terms +=
+        (std::abs(rest.x()) + std::abs(rest.y())) * static_cast<double>(largest_[share.nodes[2]]);
   }
   // Two roundings to single precision and one product per term, then the sum: half a unit in the
   // last place each, of at most the sum of the absolute terms. Twice that is assumed. No bound is
   // given for units beyond the range of single precision.
   const bool in_range = largest_norm_ > 1e-12 && largest_norm_ < 1e12;
-  out.error = in_range ? terms * static_cast<double>(4 * loads.size() + 4) * 0x1p-23
+  const std::size_t columns = (quadratic_ ? 6 : 4) * loads.size();
+  out.error = in_range ? terms * static_cast<double>(columns + 4) * 0x1p-23
                        : std::numeric_limits<double>::infinity();
 }
 
 RIPRAP_INLINE AxisForm InfluenceOperatorF32::product(const BoundaryPoint& a,
                                                      const BoundaryPoint& b) const {
+  if (quadratic_) return quadratic_product(a, b);
   const auto w = static_cast<float>(a.weight);
   const auto v = static_cast<float>(b.weight);
   const std::array<AxisForm, 4> blocks{block(a.node, b.node), block(a.node, b.next),
@@ -100,24 +114,43 @@ RIPRAP_INLINE AxisForm InfluenceOperatorF32::product(const BoundaryPoint& a,
   return {sum(&AxisForm::xx), sum(&AxisForm::xy), sum(&AxisForm::yx), sum(&AxisForm::yy)};
 }
 
+RIPRAP_INLINE AxisForm InfluenceOperatorF32::quadratic_product(const BoundaryPoint& a,
+                                                               const BoundaryPoint& b) const {
+  const NodalShares p = shares(a);
+  const NodalShares q = shares(b);
+  AxisForm sum;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto weight = static_cast<float>(p.weights[i] * q.weights[j]);
+      const AxisForm one = block(p.nodes[i], q.nodes[j]);
+      sum.xx += weight * one.xx;
+      sum.xy += weight * one.xy;
+      sum.yx += weight * one.yx;
+      sum.yy += weight * one.yy;
+    }
+  return sum;
+}
+
 RIPRAP_INLINE double InfluenceOperatorF32::position_sensitivity(const BoundaryPoint& at,
                                                                 const Vec2& force) const {
   const std::uint32_t nodes = locator_.nodes();
   const auto x = static_cast<float>(force.x());
   const auto y = static_cast<float>(force.y());
   float largest = 0;
-  for (const std::uint32_t node : {(at.node + nodes - 1) % nodes, at.node, at.next}) {
-    const Segment& segment = segments_[node];
-    largest = std::max(largest, x * (x * segment.xx + y * segment.xy) + y * y * segment.yy);
-  }
+  for (const std::uint32_t node : {(at.node + nodes - 1) % nodes, at.node, at.next})
+    for (std::uint32_t end = 0; end < ends(); ++end) {
+      const Segment& segment = segments_[node * ends() + end];
+      largest = std::max(largest, x * (x * segment.xx + y * segment.xy) + y * y * segment.yy);
+    }
   return std::sqrt(static_cast<double>(largest));
 }
 
 RIPRAP_INLINE double InfluenceOperatorF32::position_sensitivity(const BoundaryPoint& at) const {
   const std::uint32_t nodes = locator_.nodes();
-  const float steepest =
-      std::max({segments_[(at.node + nodes - 1) % nodes].position_sensitivity,
-                segments_[at.node].position_sensitivity, segments_[at.next].position_sensitivity});
+  float steepest = 0;
+  for (const std::uint32_t node : {(at.node + nodes - 1) % nodes, at.node, at.next})
+    for (std::uint32_t end = 0; end < ends(); ++end)
+      steepest = std::max(steepest, segments_[node * ends() + end].position_sensitivity);
   return static_cast<double>(steepest);
 }
 
@@ -155,6 +188,16 @@ RIPRAP_INLINE void InfluenceOperatorF32::sum_products() {
                            stress_product(column(2 * i + 1), column(2 * j + 1))});
 }
 
+// Derivatives of the shares of a node, the next and the third of their side, along the segment from
+// the node in units of its length: at an end of it, 0 or 1.
+RIPRAP_INLINE std::array<float, 3> InfluenceOperatorF32::slopes(std::uint32_t node,
+                                                                std::uint32_t end) const {
+  if (!quadratic_) return {-1, 1, 0};
+  if (node % 2 == 0)  // a corner and its mid-side node
+    return end == 0 ? std::array{-1.5f, 2.0f, -0.5f} : std::array{-0.5f, 0.0f, 0.5f};
+  return end == 0 ? std::array{0.0f, 0.5f, -0.5f} : std::array{-2.0f, 1.5f, 0.5f};
+}
+
 RIPRAP_INLINE void InfluenceOperatorF32::find_position_sensitivity(const Mesh& mesh) {
   const std::uint32_t nodes = locator_.nodes();
   const std::size_t size = 3 * stride_;
@@ -162,25 +205,37 @@ RIPRAP_INLINE void InfluenceOperatorF32::find_position_sensitivity(const Mesh& m
   for (std::uint32_t j = 0; j < nodes; ++j) {
     const std::uint32_t k = (j + 1) % nodes;
     largest_norm_ = std::max(largest_norm_, std::sqrt(internal::largest_eigenvalue(block(j, j))));
-    const float* const here = column(2 * std::size_t{j});
-    const float* const there = column(2 * std::size_t{k});
-    for (std::size_t i = 0; i < 2 * size; i += 4)
-      store_lanes(change.data() + i,
-                  internal::four_floats(here + i) - internal::four_floats(there + i));
+    const NodalShares side = shares({j, k, 1});
     const double length = (mesh.nodes[k] - mesh.nodes[j]).norm();
     const auto per_square = static_cast<float>(1 / (length * length));
-    const float* const x = change.data();
-    const float* const y = change.data() + size;
-    const float xy = per_square * stress_product(x, y);
-    const AxisForm form{per_square * stress_product(x, x), xy, xy,
-                        per_square * stress_product(y, y)};
-    // Round-off of the columns themselves is 6e-8 of them, and nodes are not near each other.
-    const float off = 1e-4f * (form.xx + form.yy);
-    segments_.push_back({form.xx + off, 2 * form.xy, form.yy + off,
-                         static_cast<float>(std::sqrt(internal::largest_eigenvalue(form) +
-                                                      static_cast<double>(off))),
-                         static_cast<float>(length)});
+    for (std::uint32_t end = 0; end < ends(); ++end) {
+      const std::array<float, 3> slope = slopes(j, end);
+      const float* const near = column(2 * std::size_t{j});
+      const float* const far = column(2 * std::size_t{k});
+      for (std::size_t i = 0; i < 2 * size; i += 4)
+        store_lanes(change.data() + i, slope[0] * internal::four_floats(near + i) +
+                                           slope[1] * internal::four_floats(far + i));
+      if (side.count == 3) {
+        const float* const third = column(2 * std::size_t{side.nodes[2]});
+        for (std::size_t i = 0; i < 2 * size; i += 4)
+          store_lanes(change.data() + i, internal::four_floats(change.data() + i) +
+                                             slope[2] * internal::four_floats(third + i));
+      }
+      const float* const x = change.data();
+      const float* const y = change.data() + size;
+      const float xy = per_square * stress_product(x, y);
+      const AxisForm form{per_square * stress_product(x, x), xy, xy,
+                          per_square * stress_product(y, y)};
+      // Round-off of the columns themselves is 6e-8 of them, and nodes are not near each other.
+      const float off = 1e-4f * (form.xx + form.yy);
+      segments_.push_back({form.xx + off, 2 * form.xy, form.yy + off,
+                           static_cast<float>(std::sqrt(internal::largest_eigenvalue(form) +
+                                                        static_cast<double>(off))),
+                           static_cast<float>(length)});
+    }
   }
+  // Between nodes the absolute shares of quadratic shape functions sum up to 5/4.
+  if (quadratic_) largest_norm_ *= 1.25;
 }
 
 }  // namespace riprap

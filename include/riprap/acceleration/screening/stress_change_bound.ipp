@@ -37,7 +37,8 @@ RIPRAP_INLINE void StressChangeBound::reset(std::span<const ContactLoad> loads,
   store_products(placed, op);
   // Arms and forces are rounded to 6e-8 of their size. An arm is up to some twenty node spacings
   // long, and a force that moves by a node spacing changes the stresses by up to twice the norm.
-  limit_ = static_cast<float>((1 - margin) * limit - margin * op.largest_norm() * forces);
+  limit_ = static_cast<float>((1 - margin) * limit -
+                              margin * op.shape_factor() * op.largest_norm() * forces);
   // Its square must not underflow.
   if (!(limit_ > 1e-12f)) clear();
 }
@@ -156,8 +157,8 @@ RIPRAP_INLINE void StressChangeBound::store_products(std::span<const BoundaryLoa
   // An error of e n_i n_j in each product changes the form by e sum_ij |g_i n_i g_j n_j| at most,
   // and so by less than e N sum_i (g_i n_i)^2: put on the diagonal, it is covered. Four times,
   // for n_i is less between two nodes than at them, and the form is summed in single precision.
-  const auto inflated = static_cast<float>(1 + 4 * InfluenceOperatorF32::product_error * 2 *
-                                                   static_cast<double>(placed.size()));
+  const double error = op.shape_factor() * InfluenceOperatorF32::product_error;
+  const auto inflated = static_cast<float>(1 + 4 * error * 2 * static_cast<double>(placed.size()));
   FourFloats* block = products_.data();
   for (std::size_t c = 0; c < placed.size(); ++c) {
     for (std::size_t d = 0; d < c; ++d) {

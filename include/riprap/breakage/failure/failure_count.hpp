@@ -10,12 +10,14 @@
 
 namespace riprap {
 
-/// Count over the elements of one particle in one evaluation.
+/// Count over the elements of one particle in one evaluation. Elements are counted by their
+/// sampling points, of which the constant-strain triangle has one.
 struct FailureCount {
   std::size_t elements = 0;
   std::size_t failed = 0;
-  /// Lowest safety factor and the element it belongs to, ties by index. Where any element has
-  /// failed this is the paper's first failed element: a property of one evaluation, not of history.
+  /// Lowest safety factor and the sampling point it belongs to, ties by index. Where any element
+  /// has failed this is the paper's first failed element: a property of one evaluation, not of
+  /// history.
   double lowest_safety_factor = std::numeric_limits<double>::infinity();
   std::size_t first_failed = 0;
 
@@ -25,7 +27,8 @@ struct FailureCount {
   }
 };
 
-/// Evaluates the criterion in every element. Throws InvalidInput for a stress that is not finite.
+/// Evaluates the criterion at every sampling point. Throws InvalidInput for a stress that is not
+/// finite.
 template <Criterion C>
 [[nodiscard]] FailureCount count_failures(const C& criterion, const ElementStress& stress) {
   FailureCount failures{.elements = stress.size()};

@@ -13,7 +13,7 @@
 
 namespace riprap {
 
-/// Centroid of a failed element [m] and its weight 1/SF.
+/// Failed sampling point of an element, [m], and its weight 1/SF.
 struct WeightedPoint {
   Vec2 position{0, 0};
   double weight = 1;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include <riprap/stress/element/concepts.hpp>
 
@@ -12,9 +13,15 @@ namespace riprap {
 
 /// Turner, Clough, Martin and Topp (1956); e.g. Zienkiewicz and Taylor, The Finite Element Method.
 struct ConstantStrainTriangle {
-  [[nodiscard]] StrainDisplacement strain_displacement(const std::array<Vec2, 3>& corners) const {
+  static constexpr std::size_t nodes = 3;
+  static constexpr auto sampling_points = centroid_rule;
+  static constexpr auto integration_points = centroid_rule;
+
+  /// The same at every point.
+  [[nodiscard]] StrainDisplacement<3> strain_displacement(const std::array<Vec2, 3>& corners,
+                                                          const Barycentric& = {}) const {
     const double twice_area = cross(corners[1] - corners[0], corners[2] - corners[0]);
-    StrainDisplacement b;
+    StrainDisplacement<3> b;
     std::fill_n(b.data(), 18, 0.0);
     for (int i = 0; i < 3; ++i) {
       const Vec2& next = corners[static_cast<std::size_t>((i + 1) % 3)];
@@ -29,9 +36,9 @@ struct ConstantStrainTriangle {
     return b;
   }
 
-  [[nodiscard]] Eigen::Matrix3d mass(const std::array<Vec2, 3>& corners) const {
+  [[nodiscard]] NodalMass<3> mass(const std::array<Vec2, 3>& corners) const {
     const double area = 0.5 * cross(corners[1] - corners[0], corners[2] - corners[0]);
-    Eigen::Matrix3d m;
+    NodalMass<3> m;
     std::fill_n(m.data(), 9, area / 12);
     for (int i = 0; i < 3; ++i) m(i, i) = area / 6;
     return m;

@@ -17,6 +17,29 @@ namespace internal {
   throw_invalid(std::string("Mesh: ") + what + " " + std::to_string(number) + part, value, rule);
 }
 
+// In the middles of the sides, to round-off; on the boundary between corners with even numbers.
+RIPRAP_INLINE void require_mid_sides(const Mesh& mesh) {
+  if (mesh.mid_sides.empty()) return;
+  require(mesh.mid_sides.size() == mesh.size(), "Mesh: triangles with mid-side nodes",
+          static_cast<double>(mesh.mid_sides.size()), "must be none or all");
+  for (std::size_t e = 0; e < mesh.size(); ++e)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t node = mesh.mid_sides[e][k];
+      const std::uint32_t first = mesh.triangles[e][k];
+      if (node >= mesh.nodes.size())
+        throw_invalid_mesh("triangle", e, ": mid-side node", node, "must be in the mesh");
+      const Vec2& p = mesh.nodes[first];
+      const Vec2& q = mesh.nodes[mesh.triangles[e][(k + 1) % 3]];
+      if (!((mesh.nodes[node] - 0.5 * (p + q)).norm() <= 1e-9 * (q - p).norm()))
+        throw_invalid_mesh("triangle", e, ": mid-side node", node, "must be in the middle");
+      const bool corner = first < mesh.boundary_nodes;
+      const bool middle = node < mesh.boundary_nodes;
+      if ((corner && first % 2 != 0) || (middle && (!corner || node != first + 1)))
+        throw_invalid_mesh("triangle", e, ": mid-side node", node,
+                           "must follow its corner, of even number, on the boundary");
+    }
+}
+
 }  // namespace internal
 
 RIPRAP_INLINE void Mesh::validate() const {
@@ -44,6 +67,9 @@ RIPRAP_INLINE void Mesh::validate() const {
       throw_invalid_mesh("triangle", e, ": area [m^2]", area(e),
                          "must be above 0 (counter-clockwise, not flat)");
   }
+  internal::require_mid_sides(*this);
+  for (const auto& sides : mid_sides)
+    for (const std::uint32_t node : sides) used[node] = true;
   const auto unused = std::find(used.begin(), used.end(), false);
   if (unused != used.end())
     throw InvalidInput("Mesh: node " + std::to_string(unused - used.begin()) +
