@@ -8,7 +8,7 @@
 
 #include <riprap/stress/boundary_load.hpp>
 #include <riprap/stress/boundary_locator.hpp>
-#include <riprap/stress/element_stress.hpp>
+#include <riprap/stress/element/element_stress.hpp>
 #include <riprap/stress/mesher/uniform_mesher.hpp>
 #include <support/polygons.hpp>
 

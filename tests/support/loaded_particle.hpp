@@ -10,7 +10,7 @@
 #include <riprap/core/random.hpp>
 #include <riprap/geometry/random_polygon.hpp>
 #include <riprap/stress/boundary_load.hpp>
-#include <riprap/stress/element_stress.hpp>
+#include <riprap/stress/element/element_stress.hpp>
 #include <riprap/stress/influence_operator.hpp>
 #include <riprap/stress/mesher/uniform_mesher.hpp>
 

@@ -14,7 +14,7 @@
 #include <riprap/geometry/convex_polygon.hpp>
 #include <riprap/geometry/cut.hpp>
 #include <riprap/particle/body.hpp>
-#include <riprap/stress/element_stress.hpp>
+#include <riprap/stress/element/element_stress.hpp>
 #include <riprap/stress/sampling_points.hpp>
 
 namespace riprap {

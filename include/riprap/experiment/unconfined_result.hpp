@@ -13,7 +13,7 @@
 
 #include <riprap/breakage/crack.hpp>
 #include <riprap/breakage/failure/failure_count.hpp>
-#include <riprap/stress/element_stress.hpp>
+#include <riprap/stress/element/element_stress.hpp>
 #include <riprap/stress/mesher/mesh.hpp>
 #include <riprap/stress/sampling_points.hpp>
 

@@ -24,7 +24,7 @@
 #include <riprap/stress/element/body_force_shares.hpp>
 #include <riprap/stress/element/concepts.hpp>
 #include <riprap/stress/element/element_stiffness.hpp>
-#include <riprap/stress/element_stress.hpp>
+#include <riprap/stress/element/element_stress.hpp>
 #include <riprap/stress/mesher/mesh.hpp>
 #include <riprap/stress/mesher/mid_side_nodes.hpp>
 #include <riprap/stress/nodal_shares.hpp>

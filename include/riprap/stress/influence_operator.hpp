@@ -16,7 +16,7 @@
 #include <riprap/stress/boundary_locator.hpp>
 #include <riprap/stress/element/concepts.hpp>
 #include <riprap/stress/element/element_matrices.hpp>
-#include <riprap/stress/element_stress.hpp>
+#include <riprap/stress/element/element_stress.hpp>
 #include <riprap/stress/mesher/mesh.hpp>
 #include <riprap/stress/mesher/mid_side_nodes.hpp>
 #include <riprap/stress/nodal_shares.hpp>

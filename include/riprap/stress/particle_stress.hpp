@@ -12,7 +12,7 @@
 #include <riprap/particle/particles.hpp>
 #include <riprap/stress/boundary_load.hpp>
 #include <riprap/stress/contact_loads.hpp>
-#include <riprap/stress/element_stress.hpp>
+#include <riprap/stress/element/element_stress.hpp>
 #include <riprap/stress/influence_operator.hpp>
 
 namespace riprap {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include <riprap/breakage/failure/element_failure.hpp>
-#include <riprap/stress/element_stress.hpp>
+#include <riprap/stress/element/element_stress.hpp>
 
 namespace riprap {
 

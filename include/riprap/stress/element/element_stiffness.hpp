@@ -8,7 +8,7 @@
 #include <cstddef>
 
 #include <riprap/stress/element/concepts.hpp>
-#include <riprap/stress/element_stress.hpp>
+#include <riprap/stress/element/element_stress.hpp>
 #include <riprap/stress/mesher/mesh.hpp>
 
 namespace riprap {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <riprap/stress/element_stress.hpp>
+#include <riprap/stress/element/element_stress.hpp>
 
 #include <doctest/doctest.h>
 
