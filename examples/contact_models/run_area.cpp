@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "run.hpp"
+
+namespace contact_models {
+
+Result run_area(const Setup& setup) {
+  return run(
+      riprap::Model{}.narrow_phase(riprap::OverlapChord{}).contact_law(riprap::OverlapAreaSpring{}),
+      setup);
+}
+
+}  // namespace contact_models

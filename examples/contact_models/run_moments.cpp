@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "run.hpp"
+
+namespace contact_models {
+
+Result run_moments(const Setup& setup) {
+  return run(riprap::Model{}
+                 .narrow_phase(riprap::OverlapMoments{})
+                 .contact_law(riprap::EnergyConservingSpring{})
+                 .time_step(riprap::MassFloor{.fraction = 0.17}),
+             setup);
+}
+
+}  // namespace contact_models
