@@ -23,7 +23,7 @@ struct PlasticSpring {
                           History& history) const {
     const double before = history.deepest;
     history.deepest = std::max(before, at.depth);
-    ContactForce force{.normal = normal_force(at.depth, history)};
+    ContactForce force{.normal = normal_force(at.depth, history) * at.depth_gradient};
     if (motion.time_step > 0)  // what loading leaves behind in the contact [J]
       force.viscous_loss = 0.5 * loading * (1 - loading / unloading) *
                            (history.deepest * history.deepest - before * before);

@@ -54,6 +54,15 @@ struct Pieces {
   }
 };
 
+template <class ContactType, class Domain, class OfSecond>
+void record_break(DividedContacts<ContactType>& divided, BodyIndex parent, BodyIndex second,
+                  const std::vector<ContactType>& contacts, const Domain& domain,
+                  OfSecond&& of_second) {
+  for (const ContactType& contact : contacts)
+    if (contact.a == parent || contact.b == parent) divided.add(contact);
+  divided.divide(parent, second, domain, of_second);
+}
+
 const auto right_half = [](const Vec2& point) { return point.x() > 0; };
 
 }  // namespace
@@ -62,10 +71,10 @@ TEST_CASE("without a rule of the law the piece at the point gets the history") {
   using Law = LinearSpringCoulomb;
   DividedContacts<ContactOf<Law>> divided;
   CHECK(divided.empty());
-  divided.record_break(1, 3,
-                       std::vector{touching<Law>(0, 1, -0.5, 7), touching<Law>(1, 2, 0.5, 8),
-                                   touching<Law>(0, 2, 0.5, 9)},
-                       UnboundedDomain{}, right_half);
+  record_break(divided, 1, 3,
+               std::vector{touching<Law>(0, 1, -0.5, 7), touching<Law>(1, 2, 0.5, 8),
+                           touching<Law>(0, 2, 0.5, 9)},
+               UnboundedDomain{}, right_half);
   CHECK(!divided.empty());
   Pieces<Law> pieces;
   for (const auto& [a, b] : {std::pair{0U, 1U}, {0U, 3U}, {1U, 2U}, {2U, 3U}, {0U, 2U}})
@@ -85,8 +94,8 @@ TEST_CASE("without a rule of the law the piece at the point gets the history") {
 TEST_CASE("pieces share a contact by the areas of their overlaps") {
   using Law = EnergyConservingSpring;
   DividedContacts<ContactOf<Law>> divided;
-  divided.record_break(1, 3, std::vector{touching<Law>(0, 1, -0.5, 100)}, UnboundedDomain{},
-                       right_half);
+  record_break(divided, 1, 3, std::vector{touching<Law>(0, 1, -0.5, 100)}, UnboundedDomain{},
+               right_half);
   Pieces<Law> pieces;
   pieces.add(0, 1, 3e-6);
   pieces.add(0, 3, 1e-6);
@@ -104,8 +113,8 @@ TEST_CASE("of a contact whose bodies both break, four pieces share") {
   using Law = EnergyConservingSpring;
   const std::vector pairs{touching<Law>(0, 1, 0.5, 100)};
   DividedContacts<ContactOf<Law>> divided;
-  divided.record_break(0, 2, pairs, UnboundedDomain{}, right_half);
-  divided.record_break(1, 3, pairs, UnboundedDomain{}, right_half);
+  record_break(divided, 0, 2, pairs, UnboundedDomain{}, right_half);
+  record_break(divided, 1, 3, pairs, UnboundedDomain{}, right_half);
   Pieces<Law> pieces;
   pieces.add(0, 1, 1e-6);
   pieces.add(1, 2, 2e-6);
@@ -124,9 +133,9 @@ TEST_CASE("a particle that breaks twice hands its contacts on") {
   using Law = LinearSpringCoulomb;
   const std::vector pairs{touching<Law>(0, 1, 0.5, 5)};
   DividedContacts<ContactOf<Law>> divided;
-  divided.record_break(1, 2, pairs, UnboundedDomain{}, right_half);
-  divided.record_break(2, 3, pairs, UnboundedDomain{},
-                       [](const Vec2& point) { return point.x() > 0.4; });
+  record_break(divided, 1, 2, pairs, UnboundedDomain{}, right_half);
+  record_break(divided, 2, 3, pairs, UnboundedDomain{},
+               [](const Vec2& point) { return point.x() > 0.4; });
   Pieces<Law> pieces;
   for (const BodyIndex b : {1U, 2U, 3U}) pieces.add(0, b, 1e-6);
   divided.hand_over(Law{}, pieces.find());
@@ -155,8 +164,8 @@ TEST_CASE("a contact across a periodic cell follows the image of the piece") {
     asked.push_back(point);
     return true;
   };
-  divided.record_break(1, 2, std::vector{contact}, domain, note);
-  divided.record_break(0, 3, std::vector{contact}, domain, note);
+  record_break(divided, 1, 2, std::vector{contact}, domain, note);
+  record_break(divided, 0, 3, std::vector{contact}, domain, note);
   std::vector<Periodic> expected;
   divided.hand_over(Law{}, [&](const Periodic& of) -> Periodic* {
     expected.push_back(of);

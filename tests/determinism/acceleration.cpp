@@ -72,8 +72,11 @@ int main(int argc, char** argv) {
   int breaks = 0;
   for (int k = 3; k < argc; ++k) {
     sample.pressure = 1e6 * std::atof(argv[k]);
+    const auto moments =
+        Model{}.narrow_phase(OverlapMoments{}).contact_law(EnergyConservingSpring{});
     for (const int found :
-         {compare(sample, Model{}), compare(sample, Model{}.boundary(PeriodicCell{}))}) {
+         {compare(sample, Model{}), compare(sample, Model{}.boundary(PeriodicCell{})),
+          compare(sample, moments), compare(sample, moments.boundary(PeriodicCell{}))}) {
       if (found < 0) return 1;
       breaks += found;
     }

@@ -25,13 +25,13 @@ TEST_CASE("a face over the end of another leaves a rectangle") {
   // The upper right corner of the one lies in the other, whose lower left corner lies in the one.
   const ConvexPolygon below{{-1, -1}, {1, -1}, {1, 0}, {-1, 0}};
   const ConvexPolygon above{{0.4, -0.1}, {2, -0.1}, {2, 1}, {0.4, 1}};
-  const auto lens = corner_corner_overlap(below.ring(), 2, above.ring(), 0, margin);
+  const auto lens = corner_corner_overlap({below.ring(), above.ring(), 2, 0, margin});
   REQUIRE(lens);
   CHECK(lens->area == near_relative(0.6 * 0.1, 1e-15));
   CHECK((lens->leaves_a - Vec2{0.4, 0}).norm() <= 1e-15);
   CHECK((lens->enters_a - Vec2{1, -0.1}).norm() <= 1e-15);
   // The other way round the crossings change places.
-  const auto swapped = corner_corner_overlap(above.ring(), 0, below.ring(), 2, margin);
+  const auto swapped = corner_corner_overlap({above.ring(), below.ring(), 0, 2, margin});
   REQUIRE(swapped);
   CHECK(swapped->area == near_relative(0.06, 1e-15));
   CHECK((swapped->leaves_a - lens->enters_a).norm() <= 1e-15);
@@ -42,10 +42,10 @@ TEST_CASE("there is no lens at other corners, nor where rings are apart, flush o
   const ConvexPolygon above{{0.4, -0.1}, {2, -0.1}, {2, 1}, {0.4, 1}};
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j)
-      CHECK(corner_corner_overlap(below.ring(), i, above.ring(), j, margin).has_value() ==
+      CHECK(corner_corner_overlap({below.ring(), above.ring(), i, j, margin}).has_value() ==
             (i == 2 && j == 0));
   const auto none = [&](const ConvexPolygon& other) {
-    return !corner_corner_overlap(below.ring(), 2, other.ring(), 0, margin);
+    return !corner_corner_overlap({below.ring(), other.ring(), 2, 0, margin});
   };
   CHECK(none(ConvexPolygon{{0.4, 0.1}, {2, 0.1}, {2, 1}, {0.4, 1}}));
   CHECK(none(ConvexPolygon{{0.4, 0}, {2, 0}, {2, 1}, {0.4, 1}}));
@@ -64,7 +64,7 @@ TEST_CASE("where there is a lens, it is what clipping finds") {
                                 .moved({}, apart * Vec2{std::cos(angle), std::sin(angle)});
     for (std::size_t i = 0; i < a.size(); ++i)
       for (std::size_t j = 0; j < b.size(); ++j) {
-        const auto lens = corner_corner_overlap(a.ring(), i, b.ring(), j, margin);
+        const auto lens = corner_corner_overlap({a.ring(), b.ring(), i, j, margin});
         if (!lens) continue;
         ++lenses;
         const OverlapPolygon common = overlap(a.ring(), b.ring(), {0, 0}, 0);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <vector>
 
@@ -68,7 +69,7 @@ TEST_CASE("a square that starts at rest on a floor stays there for a million ste
     sim.step();
     most = std::max(most, kinetic_energy(sim.particles()));
   }
-  CHECK(most < 1e-6);
+  CHECK(most < 1e-6);  // of m g a
 }
 
 TEST_CASE("undamped impacts of tilted squares return their energy at any depth up to half a side") {
@@ -112,7 +113,8 @@ TEST_CASE("a frictionless block keeps its speed over the seams of a floor of flu
   sim.set_time_step(0.05 * unit_time);
   const Body& block = sim.particles().body(12);
   while (block.position.x() < 10.5 && sim.time() < 15) sim.step();
-  CHECK(block.velocity.x() == near(1, 0.01));
+  // Flush edges jump by a force of the order of k d^4, and a step errs by the swing of the depth.
+  CHECK(block.velocity.x() == near(1, 1e-3));
 }
 
 TEST_CASE("a block on a slope sticks below the friction angle and slides above it") {
@@ -151,7 +153,7 @@ TEST_CASE("a stack of ten squares comes to rest and stays") {
     sim.step();
     most = std::max(most, kinetic_energy(sim.particles()));
   }
-  CHECK(most < 1e-5);
+  CHECK(most < 1e-5);  // of m g a
 }
 
 TEST_CASE("a pile of fifty pieces comes to rest and stays") {
@@ -178,14 +180,14 @@ TEST_CASE("a pile of fifty pieces comes to rest and stays") {
     sim.step();
     most = std::max(most, kinetic_energy(sim.particles()));
   }
-  CHECK(most < 1e-12);
+  CHECK(most < 1e-12);  // of m g a: at rest but for round-off
 }
 
 namespace {
 
 // Largest error of the energy over 100,000 steps of `fraction` sqrt(m / k), as a share.
-double energy_error_in_box(double fraction) {
-  Random random(2);
+double energy_error_in_box(double fraction, std::uint64_t seed) {
+  Random random(seed);
   std::vector<PlacedParticle> bodies{{rectangle({0, -4}, 8, 1), Motion::prescribed},
                                      {rectangle({0, 4}, 8, 1), Motion::prescribed},
                                      {rectangle({-4, 0}, 1, 9), Motion::prescribed},
@@ -210,10 +212,14 @@ double energy_error_in_box(double fraction) {
 }  // namespace
 
 TEST_CASE("twenty-five polygons in a box keep their energy, the better the smaller the step") {
-  const double coarse = energy_error_in_box(0.05);
-  const double fine = energy_error_in_box(0.025);
-  // Of second order in the step while a contact lasts; the contacts that a step cuts short add up
-  // at random: 1e-3 to 5e-3 and 2e-4 to 9e-4 in four samples.
-  CHECK(coarse < 5e-3);
+  // Of second order in the step while a contact lasts; what the ends of contacts leave adds up at
+  // random. 1e-3 to 5e-3 and 2e-4 to 9e-4 in these samples.
+  double coarse = 0;
+  double fine = 0;
+  for (const std::uint64_t seed : {2U, 3U, 4U}) {
+    coarse += energy_error_in_box(0.05, seed) / 3;
+    fine += energy_error_in_box(0.025, seed) / 3;
+  }
+  CHECK(fine < 0.5 * coarse);
   CHECK(fine < 2e-3);
 }

@@ -50,7 +50,7 @@ void visit_collision(const ContactRange& range, bool corner, double duration, Vi
   using std::numbers::pi;
   constexpr int n = collision_steps;
   const double time_step = duration / n;
-  constexpr double face_gradient = 1.25;
+  const double face_gradient = std::numbers::sqrt2;  // as OverlapMoments gives two faces
   const auto depth = [&](int i) { return range.deepest * std::pow(std::sin(pi * i / n), 2); };
   const auto slide = [&](int i) { return 3 * range.deepest * std::sin(7 * pi * i / n); };
   for (int i = 1; i <= n; ++i)

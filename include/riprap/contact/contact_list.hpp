@@ -148,9 +148,13 @@ class ContactList {
   /// @param of_second whether a point [m] lies on the side of the second piece
   template <class OfSecond>
   void divide(BodyIndex parent, BodyIndex second, OfSecond&& of_second) {
-    divided_.record_break(parent, second, list_.pairs(), domain_, of_second);
-    for (std::size_t k = 0; k < list_.size(); ++k)
-      if (pairs()[k].a == parent || pairs()[k].b == parent) detection_.forget(k);
+    for (std::size_t k = 0; k < list_.size(); ++k) {
+      const ContactType& pair = pairs()[k];
+      if (pair.a != parent && pair.b != parent) continue;
+      detection_.forget(k);
+      if (pair.touching) divided_.add(pair);
+    }
+    divided_.divide(parent, second, domain_, of_second);
     list_state_.invalidate();
   }
 

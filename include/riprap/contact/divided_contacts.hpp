@@ -23,28 +23,30 @@ class DividedContacts {
 
   [[nodiscard]] bool empty() const { return parts_.empty(); }
 
-  /// After the particle at `parent` has broken into a piece at the same index and one at `second`,
-  /// above all others.
+  /// A contact of a particle that breaks.
+  void add(const ContactType& contact) {
+    if (is_recorded(contact)) return;
+    parts_.push_back({contact, static_cast<std::uint32_t>(wholes_.size())});
+    wholes_.push_back({contact.history});
+  }
+
+  /// The particle at `parent`, all of whose contacts have been added, has broken into a piece at
+  /// the same index and one at `second`, above all others.
   /// @param of_second whether a point [m] lies on the side of the second piece
-  template <class Pairs, class Domain, class OfSecond>
-  void record_break(BodyIndex parent, BodyIndex second, const Pairs& pairs, const Domain& domain,
-                    OfSecond&& of_second) {
-    for (const ContactType& pair : pairs)
-      if (pair.touching && has_body(pair, parent) && !is_recorded(pair)) {
-        parts_.push_back({pair, static_cast<std::uint32_t>(wholes_.size())});
-        wholes_.push_back({pair.geometry, pair.history});
-      }
+  template <class Domain, class OfSecond>
+  void divide(BodyIndex parent, BodyIndex second, const Domain& domain, OfSecond&& of_second) {
     const std::size_t before = parts_.size();
     for (std::size_t i = 0; i < before; ++i) {
-      if (!has_body(parts_[i].contact, parent)) continue;
+      if (parts_[i].contact.a != parent && parts_[i].contact.b != parent) continue;
       Part part = parts_[i];
       ContactType& contact = part.contact;
-      Vec2& point = contact.geometry.point;
-      const Vec2 at_b = point - image_offset(contact, domain);
-      const bool by_point = of_second(contact.a == parent ? point : at_b);
+      ContactGeometry& geometry = contact.geometry;
+      const Vec2 at_b = geometry.point - image_offset(contact, domain);
+      const bool by_point = of_second(contact.a == parent ? geometry.point : at_b);
       if (contact.a == parent) {
-        // The new piece has the highest index: it becomes b.
-        point = at_b;
+        // The new piece has the highest index: it becomes b. Tangential forces keep their sign.
+        geometry.point = at_b;
+        geometry.normal = -geometry.normal;
         contact.a = contact.b;
         if constexpr (Domain::periodic) contact.image = -contact.image;
       }
@@ -69,7 +71,7 @@ class DividedContacts {
       const ContactGeometry& now = part.pair->geometry;
       const double share = whole.overlap > 0 ? now.area / whole.overlap : 0;
       part.pair->history =
-          divided_history(law, whole.history, whole.geometry, {now, share, part.has_point});
+          divided_history(law, whole.history, part.contact.geometry, {now, share, part.has_point});
     }
     parts_.clear();
     wholes_.clear();
@@ -78,7 +80,6 @@ class DividedContacts {
  private:
   // The contact that a particle had before it broke.
   struct Whole {
-    ContactGeometry geometry;
     History history;
     double overlap = 0;  // of all pieces together, now [m^2]
   };
@@ -90,9 +91,6 @@ class DividedContacts {
     ContactType* pair = nullptr;
   };
 
-  [[nodiscard]] static bool has_body(const ContactType& contact, BodyIndex i) {
-    return contact.a == i || contact.b == i;
-  }
   [[nodiscard]] bool is_recorded(const ContactType& pair) const {
     return std::ranges::any_of(parts_, [&](const Part& part) {
       return part.contact.a == pair.a && part.contact.b == pair.b &&

@@ -152,6 +152,7 @@ struct CornerCornerOverlaps {
     area = 0.5 * ((leaves.x - enters.x) * (lens.q.at.y - lens.p.at.y) -
                   (leaves.y - enters.y) * (lens.q.at.x - lens.p.at.x));
   }
+  [[nodiscard, gnu::always_inline]] bool has_digits(std::size_t) const { return true; }
   [[nodiscard, gnu::always_inline]] CornerCornerOverlap overlap(std::size_t l) const {
     return {.leaves_a = {lane(leaves.x, l), lane(leaves.y, l)},
             .enters_a = {lane(enters.x, l), lane(enters.y, l)},
@@ -165,17 +166,24 @@ template <class N, template <class> class Overlaps, class Found>
                                                                Found&& found) {
   const CornerLens<N> lens(queries);
   const Overlaps<N> overlaps(lens);
-  for (std::size_t l = 0; l < lanes_of<N>; ++l) {
+  const auto report = [&](std::size_t l) __attribute__((always_inline)) {
     const CornerCornerQuery& query = queries[l];
-    if (!(lane(lens.crossing, l) > 0)) continue;
+    if (!(lane(lens.crossing, l) > 0) || !overlaps.has_digits(l)) return;
     // The triangle of the corner holds most of what lies near it.
     if (!(lane(lens.inside_b, l) > 0) &&
         !inside_beyond_corner(query.b, query.j, query.a[query.i], query.margin))
-      continue;
+      return;
     if (!(lane(lens.inside_a, l) > 0) &&
         !inside_beyond_corner(query.a, query.i, query.b[query.j], query.margin))
-      continue;
+      return;
     found(l, overlaps.overlap(l));
+  };
+  // Not a loop, so that every lane is a constant.
+  report(0);
+  if constexpr (lanes_of<N> > 1) report(1);
+  if constexpr (lanes_of<N> > 2) {
+    report(2);
+    report(3);
   }
 }
 
@@ -185,7 +193,8 @@ template <class N, template <class> class Overlaps, class Found>
 /// upon face, one over the end of the other, is of this kind. Nothing where that is not so by a
 /// clear margin.
 /// @tparam lanes number of overlaps evaluated at once (SIMD); results do not depend on it
-/// @tparam Overlaps what is evaluated, for a number type: from an internal::CornerLens
+/// @tparam Overlaps what is evaluated, for a number type: from an internal::CornerLens; nothing is
+/// found where `has_digits` says that round-off has spoiled it
 /// @param found called with the index of every query that has a lens, and the overlap
 template <std::size_t lanes = native_lanes,
           template <class> class Overlaps = internal::CornerCornerOverlaps, std::size_t count,

@@ -101,3 +101,45 @@ TEST_CASE("a narrow phase without batches evaluates pairs singly") {
   PairBatch<NoOverlap> batch;
   CHECK(!batch.add(0, pair, particles));
 }
+
+namespace {
+
+/// The same with pairs of two kinds.
+struct TwoKinds : ThreeAtOnce {
+  struct Batch : ThreeAtOnce::Batch {
+    using Of = TwoKinds;
+    static constexpr std::size_t kinds = 2;
+    [[nodiscard]] static std::size_t kind(const Cache& cache) {
+      if (!cache.joins) return 7;  // any number from `kinds` on
+      return cache.parted ? 1 : 0;
+    }
+  };
+  [[nodiscard]] unsigned find(const Batch& batch) const {
+    for (const Cache* member : batch.members)
+      CHECK(member->parted == batch.members.front()->parted);
+    return ThreeAtOnce::find(batch);
+  }
+};
+static_assert(BatchedNarrowPhase<TwoKinds>);
+
+}  // namespace
+
+TEST_CASE("pairs of each kind fill a batch of their own") {
+  const Particles particles = two_triangles();
+  std::vector<Pair> pairs(7, touching_pair());
+  for (const std::size_t k : {1U, 3U, 5U}) pairs[k].cache.parted = true;
+  pairs[6].cache.joins = false;
+  std::vector<std::size_t> single;
+  const auto ask = [&](std::size_t k) { single.push_back(k); };
+  PairBatch<TwoKinds> batch;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    CHECK(batch.add(k, pairs[k], particles) == (k != 6));
+    if (k == 6) continue;
+    batch.find_if_full({}, ask);
+    // The first kind is full with pair 4, the other one, without contacts, with pair 5.
+    CHECK(single.size() == (k < 5 ? 0 : 3));
+  }
+  CHECK(single == std::vector<std::size_t>{1, 3, 5});
+  batch.finish(ask);
+  CHECK(single.size() == 3);
+}

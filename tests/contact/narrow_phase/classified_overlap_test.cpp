@@ -19,12 +19,12 @@ namespace {
 struct ByClass : ClassifiedOverlap<ByClass> {
   template <class N>
   using Edge = internal::CornerEdgeOverlaps<N>;
+  template <class N>
+  using Corners = internal::CornerCornerOverlaps<N>;
   static ContactGeometry of_edge(const CornerEdgeOverlap& cap, double sign) {
     return {.normal = sign * cap.normal, .depth = 1};
   }
-  static ContactGeometry of_corners(const Vec2&, const Vec2&, const CornerCornerOverlap&) {
-    return {.depth = 2};
-  }
+  static ContactGeometry of_corners(const CornerCornerOverlap&) { return {.depth = 2}; }
   static ContactGeometry of_common_part(Ring, Ring, const CommonPart&) { return {.depth = 3}; }
 };
 static_assert(NarrowPhase<ByClass> && BatchedNarrowPhase<ByClass>);

@@ -37,7 +37,7 @@ class PairBatch<Narrow> {
     if (contact.crosses_boundary || !contact.touching) return false;
     std::size_t kind = 0;
     if constexpr (kinds > 1) kind = Narrow::Batch::kind(contact.cache);
-    if (kind == kinds) return false;
+    if (kind >= kinds) return false;
     last_ = &batches_[kind];
     last_->indices[last_->pairs.size()] = k;
     return last_->pairs.add(particles.ring(contact.a), particles.ring(contact.b), contact.cache,

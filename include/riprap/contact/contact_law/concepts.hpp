@@ -29,7 +29,7 @@ struct ContactForce {
 /// A contact of a piece of a particle that has just broken.
 struct DividedContact {
   const ContactGeometry& geometry;
-  double share = 1;       ///< of its overlap in those of all pieces with the same neighbour [-]
+  double share = 1;       ///< of its overlap in those of all contacts that replace the old one [-]
   bool has_point = true;  ///< the piece on whose side the contact of the particle acted
 };
 
@@ -41,7 +41,8 @@ template <class L>
 concept ContactLawHistory =
     requires { typename L::History; } && std::semiregular<typename L::History>;
 
-/// `law(geometry, motion, history)` -> ContactForce; updates the history. Evaluated again with
+/// `law(geometry, motion, history)` -> ContactForce; updates the history. The normal force of an
+/// energy U(depth) is U'(depth) times `geometry.depth_gradient`. Evaluated again with
 /// `time_step == 0` it must give the same force and lose nothing. Const: what is remembered belongs
 /// to the contact.
 template <class L>
@@ -58,7 +59,8 @@ concept ContactLawEnergy =
       { law.stored_energy(geometry, history) } -> std::convertible_to<double>;
     };
 
-/// `law.peak_stiffness()` [N/m]: largest slope of force against depth; sets the time step.
+/// `law.peak_stiffness()` [N/m]: largest slope of force against displacement where the gradient of
+/// the depth is one; sets the time step.
 template <class L>
 concept ContactLawStiffness = requires(const L& law) {
   { law.peak_stiffness() } -> std::convertible_to<double>;

@@ -54,7 +54,7 @@ struct EnergyConservingSpring {
             .offset = std::max(0.0, part.geometry.depth - compressed)};
   }
 
-  /// Two faces, with a spring at both ends of the contact.
+  /// Of two faces, which OverlapMoments gives a spring at both ends.
   [[nodiscard]] double peak_stiffness() const {
     return std::max(2 * normal_stiffness, tangential_stiffness);
   }

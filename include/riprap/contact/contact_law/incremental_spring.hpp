@@ -13,7 +13,8 @@ namespace riprap {
 /// F_n grows by -k_n du_n in every step and is cut at zero; the tangential spring is that of
 /// LinearSpringCoulomb (program BALL: Cundall and Strack 1979). The depth is not used, so that the
 /// spring gives back what it took whatever the narrow phase; but force and depth part: an overlap
-/// may remain without force, and a new contact of a piece starts without force at any depth.
+/// may remain without force, and a new contact of a piece starts without force at any depth. For
+/// narrow phases whose contact point stays in the overlap: OverlapChord, SeparatingAxis.
 struct IncrementalSpring {
   double normal_stiffness = 2e7;      ///< k_n [N/m]
   double tangential_stiffness = 2e7;  ///< k_s [N/m]

@@ -10,8 +10,8 @@
 
 namespace riprap {
 
-/// F_n = k_n depth, never tension; the tangential spring turns with the normal, grows by k_s du_t
-/// and is cut at friction * F_n (Cundall and Strack 1979).
+/// F_n = k_n depth depth_gradient, never tension; the tangential spring turns with the normal,
+/// grows by k_s du_t and is cut at friction * F_n (Cundall and Strack 1979).
 struct LinearSpringCoulomb {
   double normal_stiffness = 2e7;      ///< k_n [N/m], per contact
   double tangential_stiffness = 2e7;  ///< k_s [N/m]

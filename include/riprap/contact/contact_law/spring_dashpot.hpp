@@ -11,11 +11,11 @@
 
 namespace riprap {
 
-/// F_n = k_n depth - c v_n with c = 2 zeta sqrt(k_n m_eff); the tangential spring is that of
-/// LinearSpringCoulomb. Two variants are in use and differ by up to 0.14 in the restitution: the
-/// force may pull at the end of a collision, e = exp(-pi zeta / sqrt(1 - zeta^2)), or is clamped at
-/// zero, e = exp(-zeta / sqrt(1 - zeta^2) atan2(2 zeta sqrt(1 - zeta^2), 2 zeta^2 - 1))
-/// (Schwager and Poeschel 2007).
+/// F_n = k_n depth g - c v_n g^2, g the gradient of the depth, with c = 2 zeta sqrt(k_n m_eff); the
+/// tangential spring is that of LinearSpringCoulomb. Two variants are in use and differ by up to
+/// 0.14 in the restitution: the force may pull at the end of a collision, e = exp(-pi zeta / sqrt(1
+/// - zeta^2)), or is clamped at zero, e = exp(-zeta / sqrt(1 - zeta^2) atan2(2 zeta sqrt(1 -
+/// zeta^2), 2 zeta^2 - 1)) (Schwager and Poeschel 2007).
 struct SpringDashpot {
   double normal_stiffness = 2e7;      ///< k_n [N/m]
   double tangential_stiffness = 2e7;  ///< k_s [N/m]
@@ -32,7 +32,8 @@ struct SpringDashpot {
     const double spring = normal_stiffness * geometry.depth * geometry.depth_gradient;
     const double viscosity =
         2 * damping_ratio * std::sqrt(normal_stiffness * motion.effective_mass);
-    ContactForce force{.normal = spring - viscosity * motion.normal_velocity};
+    const double depth_rate = geometry.depth_gradient * motion.normal_velocity;
+    ContactForce force{.normal = spring - viscosity * geometry.depth_gradient * depth_rate};
     if (!may_pull) force.normal = std::max(force.normal, 0.0);
     force.viscous_loss = (spring - force.normal) * motion.normal_velocity * motion.time_step;
     add_coulomb_slip(force, history.tangential_force, tangential_stiffness, friction, motion);

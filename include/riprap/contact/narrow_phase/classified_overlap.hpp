@@ -160,40 +160,37 @@ struct ClassifiedOverlap {
     return Model::of_corners(*overlap);
   }
 
+  // Classifies the overlap for the next call. Rings are clipped in an order that does not depend on
+  // that of the arguments; closed forms take them as they come, as the next call will.
   [[nodiscard]] static std::optional<ContactGeometry> by_clipping(Ring a, Ring b, Cache& cache) {
-    if (!internal::comes_first(b, a)) return by_clipping_in_order(a, b, cache);
-    std::optional<ContactGeometry> contact = by_clipping_in_order(b, a, cache);
-    cache.separating.of_b = !cache.separating.of_b;
-    cache.of_b = !cache.of_b;
-    std::swap(cache.corner_a, cache.corner_b);
-    if (contact) contact->normal = -contact->normal;
-    return contact;
-  }
-
-  // Classifies the overlap for the next call.
-  [[nodiscard]] static std::optional<ContactGeometry> by_clipping_in_order(Ring a, Ring b,
-                                                                           Cache& cache) {
-    const CommonPart common = common_part(a, b);
+    const bool swapped = internal::comes_first(b, a);
+    const Ring first = swapped ? b : a;
+    const Ring second = swapped ? a : b;
+    const CommonPart common = common_part(first, second);
     // Where rings barely meet, round-off must not decide between clipping and a separating edge.
     if (common.empty() || common.area <= 1e-9 * common.size * common.size) {
       cache.state = Cache::State::apart;
       cache.separating.gap = 0;
-      if (find_separating_edge(a, b, cache.separating) || common.empty()) return std::nullopt;
+      const bool apart = find_separating_edge(first, second, cache.separating);
+      cache.separating.of_b = cache.separating.of_b != swapped;
+      if (apart || common.empty()) return std::nullopt;
     }
-    if (const auto entry = common.entry(a.size(), b.size())) {
+    if (const auto entry = common.entry(first.size(), second.size())) {
       cache.state = Cache::State::corner_edge;
-      cache.of_b = entry->of_b;
+      cache.of_b = entry->of_b != swapped;
       cache.entry = entry->place;
       if (auto contact = corner_edge_contact(a, b, cache)) return contact;
     }
     if (const auto corners = common.corners()) {
       cache.state = Cache::State::corner_corner;
-      cache.corner_a = corners->first;
-      cache.corner_b = corners->second;
+      cache.corner_a = swapped ? corners->second : corners->first;
+      cache.corner_b = swapped ? corners->first : corners->second;
       if (auto contact = corner_corner_contact(a, b, cache)) return contact;
     }
     cache.state = Cache::State::general;
-    return Model::of_common_part(a, b, common);
+    ContactGeometry contact = Model::of_common_part(first, second, common);
+    if (swapped) contact.normal = -contact.normal;
+    return contact;
   }
 };
 

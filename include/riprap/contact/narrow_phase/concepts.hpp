@@ -42,15 +42,22 @@ concept NarrowPhaseClearance = !requires(N& narrow, typename N::Cache& cache) {
 
 /// A batch of pairs that `narrow` evaluates at once.
 template <class N>
-concept NarrowPhaseBatchCall = requires(const N& narrow, typename N::Batch& batch, const Ring a,
-                                        const Ring b, const typename N::Cache& cache,
-                                        ContactGeometry& contact) {
-  requires N::Batch::capacity >= 1 && N::Batch::capacity <= 32;
-  { batch.size() } -> std::convertible_to<std::size_t>;
-  { batch.add(a, b, cache, contact) } -> std::convertible_to<bool>;
-  { narrow.find(batch) } -> std::convertible_to<unsigned>;
-  batch.clear();
-} && std::default_initializable<typename N::Batch>;
+concept NarrowPhaseBatchCall =
+    requires(const N& narrow, typename N::Batch& batch, const Ring a, const Ring b,
+             const typename N::Cache& cache, ContactGeometry& contact) {
+      requires N::Batch::capacity >= 1 && N::Batch::capacity <= 32;
+      { batch.size() } -> std::convertible_to<std::size_t>;
+      { batch.add(a, b, cache, contact) } -> std::convertible_to<bool>;
+      { narrow.find(batch) } -> std::convertible_to<unsigned>;
+      batch.clear();
+    } &&
+    std::default_initializable<typename N::Batch> &&
+    (
+        !requires { N::Batch::kinds; } ||
+        requires(const typename N::Cache& cache) {
+          { N::Batch::kinds } -> std::convertible_to<std::size_t>;
+          { N::Batch::kind(cache) } -> std::convertible_to<std::size_t>;
+        });
 
 /// Optional: a type `N::Batch` of up to `Batch::capacity` pairs, for a narrow phase that evaluates
 /// several pairs at once (SIMD). `batch.add(a, b, cache, contact)` adds a pair or returns false:
@@ -90,8 +97,8 @@ consteval bool check_narrow_phase() {
     static_assert(
         requirements::NarrowPhaseBatch<N>,
         "riprap: a Batch of a NarrowPhase must have a type Of, capacity, size(), clear(), "
-        "bool add(Ring, Ring, const Cache&, ContactGeometry&), and the NarrowPhase "
-        "unsigned find(const Batch&) const");
+        "bool add(Ring, Ring, const Cache&, ContactGeometry&), with kinds also kind(const Cache&), "
+        "and the NarrowPhase unsigned find(const Batch&) const");
   }
   return NarrowPhase<N>;
 }

@@ -1,92 +1,83 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Moments of the overlap of two corners, and the depth they give: closed form.
+/// Depth of OverlapMoments for a corner of each body in the other, in closed form.
 
 #include <cstddef>
 
+#include <riprap/contact/narrow_phase/quadrangle_moments.hpp>
 #include <riprap/contact/pair/contact_geometry.hpp>
 #include <riprap/core/simd.hpp>
 #include <riprap/geometry/corner_corner_overlap.hpp>
 
 namespace riprap::internal {
 
-/// The quadrangle of a corner of a, p, one of b, q, and the crossings, for as many pairs as N has
-/// lanes.
+/// Of as many pairs as N has lanes. In a frame along the chord, from where the boundary enters a:
+/// a's corner, the other crossing, b's corner.
 template <class N>
 struct CornerMoments {
-  N normal_x, normal_y, point_x, point_y, depth, gradient, area, chord;
+  N normal_x, normal_y, point_x, point_y, depth, gradient, area, chord, det;
 
   [[gnu::always_inline]] explicit CornerMoments(const CornerLens<N>& lens) {
-    // Relative to where the boundary enters a: p, the other crossing, q.
-    const N px = lens.p.at.x - lens.enters.x;
-    const N py = lens.p.at.y - lens.enters.y;
     const N dx = lens.leaves.x - lens.enters.x;
     const N dy = lens.leaves.y - lens.enters.y;
-    const N qx = lens.q.at.x - lens.enters.x;
-    const N qy = lens.q.at.y - lens.enters.y;
-    const N first = 0.5 * (px * dy - py * dx);
-    const N second = 0.5 * (dx * qy - dy * qx);
-    area = first + second;
-    const N share = second / area;
-    const N apart_x = qx - px;
-    const N apart_y = qy - py;
-    const N cx = (px + dx + share * apart_x) * (1.0 / 3);
-    const N cy = (py + dy + share * apart_y) * (1.0 / 3);
-    // Second moments: of each triangle about its centroid, and of their centroids.
-    const N between = first * share * (1.0 / 9);
-    const N f = first * (1.0 / 18);
-    const N s = second * (1.0 / 18);
-    const N xx = f * (px * px + dx * dx - px * dx) + s * (dx * dx + qx * qx - dx * qx) +
-                 between * apart_x * apart_x;
-    const N yy = f * (py * py + dy * dy - py * dy) + s * (dy * dy + qy * qy - dy * qy) +
-                 between * apart_y * apart_y;
-    const N xy = f * (px * py + dx * dy - 0.5 * (px * dy + dx * py)) +
-                 s * (dx * dy + qx * qy - 0.5 * (dx * qy + qx * dy)) + between * apart_x * apart_y;
-    const N det = xx * yy - xy * xy;
-    const N trace = xx + yy;
-    // Density of the force at both ends and in the middle of a's two edges.
-    const N of_trace = det / trace;
-    const N of_x = yy - of_trace;
-    const N of_y = xx - of_trace;
-    const N constant = det / area;
-    const auto density = [&](const N& x, const N& y) __attribute__((always_inline)) {
-      return of_x * x * x - 2 * xy * x * y + of_y * y * y - constant;
-    };
-    const N ex = px - cx;
-    const N ey = py - cy;
-    const N lx = dx - cx;
-    const N ly = dy - cy;
-    const N ux = 0.5 * px - cx;
-    const N uy = 0.5 * py - cy;
-    const N vx = 0.5 * (px + dx) - cx;
-    const N vy = 0.5 * (py + dy) - cy;
-    const N at_enter = density(-cx, -cy);
-    const N at_p = density(ex, ey);
-    const N at_leave = density(lx, ly);
-    const N on_first = 4 * density(ux, uy);
-    const N on_second = 4 * density(vx, vy);
-    const N to_p = at_enter + on_first + at_p;
-    const N from_p = at_p + on_second + at_leave;
-    const N away_x = dx - px;
-    const N away_y = dy - py;
-    const N force_x = to_p * py + from_p * away_y;
-    const N force_y = -(to_p * px + from_p * away_x);
-    const N moment = at_enter * (cx * px + cy * py) - on_first * (ux * px + uy * py) -
-                     at_p * (ex * dx + ey * dy) - on_second * (vx * away_x + vy * away_y) -
-                     at_leave * (lx * away_x + ly * away_y);
-    const N unit = 12 / (area * trace);
-    const N squared = force_x * force_x + force_y * force_y;
-    const N length = square_root(squared);
-    const N scale = 1 / length;
-    normal_x = force_x * scale;
-    normal_y = force_y * scale;
-    const N arm = moment * scale;
-    point_x = lens.enters.x + cx + arm * normal_y;
-    point_y = lens.enters.y + cy - arm * normal_x;
-    depth = square_root(N(2 * unit * det));
-    gradient = unit * length * (1.0 / 6) / depth;
     chord = square_root(N(dx * dx + dy * dy));
+    const N scale = 1 / chord;
+    const N ux = dx * scale;
+    const N uy = dy * scale;
+    const auto place = [&](const auto& corner) __attribute__((always_inline)) {
+      const N x = corner.x - lens.enters.x;
+      const N y = corner.y - lens.enters.y;
+      return FramePoint<N>{x * ux + y * uy, y * ux - x * uy};
+    };
+    const FramePoint<N> p = place(lens.p.at);
+    const QuadrangleMoments<N> m(p, {chord, N{}}, place(lens.q.at));
+    area = m.area;
+    det = m.det;
+    depth = m.depth;
+
+    // Force and moment from a's two edges.
+    const FramePoint<N> enter{-m.centroid.u, -m.centroid.v};
+    const FramePoint<N> corner{p.u + enter.u, p.v + enter.v};
+    const FramePoint<N> leave{chord + enter.u, enter.v};
+    const FramePoint<N> on_first{0.5 * (enter.u + corner.u), 0.5 * (enter.v + corner.v)};
+    const FramePoint<N> on_second{0.5 * (corner.u + leave.u), 0.5 * (corner.v + leave.v)};
+    const N at_enter = m.density(enter);
+    const N at_first = 4 * m.density(on_first);
+    const N at_corner = m.density(corner);
+    const N at_second = 4 * m.density(on_second);
+    const N at_leave = m.density(leave);
+    const N first = at_enter + at_first + at_corner;
+    const N second = at_corner + at_second + at_leave;
+    const N edge_u = chord - p.u;  // of the second edge; its v is -p.v
+    const N force_u = (first - second) * p.v;
+    const N force_v = -(first * p.u + second * edge_u);
+    const auto dot =
+        [](const FramePoint<N>& r, const N& u, const N& v) __attribute__((always_inline)) {
+      return r.u * u + r.v * v;
+    };
+    const N moment =
+        -(at_enter * dot(enter, p.u, p.v) + at_first * dot(on_first, p.u, p.v) +
+          at_corner * dot(corner, chord, N{}) + at_second * dot(on_second, edge_u, -p.v) +
+          at_leave * dot(leave, edge_u, -p.v));
+
+    const N length = square_root(N(force_u * force_u + force_v * force_v));
+    const N inverse = 1 / length;
+    const N n_u = force_u * inverse;
+    const N n_v = force_v * inverse;
+    const N arm = moment * inverse;
+    gradient = m.unit * length * (1.0 / 6) / depth;
+    normal_x = n_u * ux - n_v * uy;
+    normal_y = n_u * uy + n_v * ux;
+    const N at_u = m.centroid.u + arm * n_v;
+    const N at_v = m.centroid.v - arm * n_u;
+    point_x = lens.enters.x + at_u * ux - at_v * uy;
+    point_y = lens.enters.y + at_u * uy + at_v * ux;
+  }
+
+  /// The chord of triangles may be far longer than what conditions are measured by.
+  [[nodiscard, gnu::always_inline]] bool has_digits(std::size_t l) const {
+    return lane(det, l) > 0 && lane(gradient, l) < 1e300;
   }
   [[nodiscard, gnu::always_inline]] ContactGeometry overlap(std::size_t l) const {
     return {.normal = {lane(normal_x, l), lane(normal_y, l)},

@@ -34,7 +34,7 @@ struct OverlapMoments : ClassifiedOverlap<OverlapMoments> {
 
   [[nodiscard, gnu::always_inline]] static ContactGeometry of_edge(const ContactGeometry& contact,
                                                                    double sign) {
-    // A body that is wider inside than at the edge may be drawn in.
+    // Of a body that is wider inside than at the edge the depth may fall as it comes closer.
     const double side = std::copysign(sign, sign * contact.depth_gradient);
     ContactGeometry pushing = contact;
     pushing.normal = {side * contact.normal.x(), side * contact.normal.y()};
@@ -49,7 +49,8 @@ struct OverlapMoments : ClassifiedOverlap<OverlapMoments> {
 
   [[nodiscard]] static ContactGeometry of_common_part(Ring a, Ring b, const CommonPart& common) {
     const PolygonMoments moments = polygon_moments(common.polygon);
-    if (moments.gradient.squaredNorm() > 0) {
+    // Far above round-off, far below any gradient that is not zero by symmetry.
+    if (moments.gradient.squaredNorm() > 1e-24) {
       ContactGeometry contact = contact_of(moments, a[0]);
       contact.chord = extent_along(common.polygon.ring(), contact.tangent());
       return contact;

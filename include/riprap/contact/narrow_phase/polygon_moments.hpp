@@ -6,9 +6,10 @@
 #include <cmath>
 #include <cstddef>
 
-#include <riprap/contact/pair/contact_geometry.hpp>
 #include <riprap/core/vec2.hpp>
+#include <riprap/geometry/line_side.hpp>
 #include <riprap/geometry/overlap.hpp>
+#include <riprap/geometry/polygon_properties.hpp>
 
 namespace riprap {
 
@@ -21,60 +22,80 @@ struct PolygonMoments {
   double rotation = 0;  ///< minus the rise per rotation of b about the centroid [m]
 };
 
-/// Of a convex overlap whose edges come from rings a and b.
+namespace internal {
+
+/// Unit vector along the longest edge of a polygon.
+[[nodiscard]] inline Vec2 longest_direction(const OverlapPolygon& polygon) {
+  Vec2 longest{0, 0};
+  for (std::size_t i = 0; i < polygon.size; ++i) {
+    const Vec2 edge = polygon.vertices[i + 1 == polygon.size ? 0 : i + 1] - polygon.vertices[i];
+    if (edge.squaredNorm() > longest.squaredNorm()) longest = edge;
+  }
+  return longest / longest.norm();
+}
+
+/// Second moments of a polygon about its centroid, the origin.
+struct SecondMoments {
+  double uu = 0;
+  double vv = 0;
+  double uv = 0;
+
+  explicit SecondMoments(Ring ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2& p = ring[i];
+      const Vec2& q = ring[next_vertex(i, ring.size())];
+      const double t = cross(p, q) / 12;
+      uu += t * (p.x() * p.x() + p.x() * q.x() + q.x() * q.x());
+      vv += t * (p.y() * p.y() + p.y() * q.y() + q.y() * q.y());
+      uv += t * (p.x() * p.y() + 0.5 * (p.x() * q.y() + q.x() * p.y()) + q.x() * q.y());
+    }
+  }
+};
+
+}  // namespace internal
+
+/// Of a convex overlap whose edges come from rings a and b. Computed along its longest edge, so
+/// that a thin overlap keeps its digits.
 [[nodiscard]] inline PolygonMoments polygon_moments(const OverlapPolygon& polygon) {
   PolygonMoments m;
-  const auto next = [&](std::size_t i) { return i + 1 == polygon.size ? 0 : i + 1; };
-  const Vec2 origin = polygon.vertices[0];
-  double twice_area = 0;
-  Vec2 first{0, 0};
-  for (std::size_t i = 1; i + 1 < polygon.size; ++i) {
-    const Vec2 p = polygon.vertices[i] - origin;
-    const Vec2 q = polygon.vertices[i + 1] - origin;
-    const double t = cross(p, q);
-    twice_area += t;
-    first += t * (p + q);
-  }
-  m.area = 0.5 * twice_area;
+  const AreaProperties properties = area_properties(polygon.ring());
+  m.area = properties.area;
+  m.centroid = properties.centroid;
   if (!(m.area > 0)) return m;
-  m.centroid = origin + first / (3 * twice_area);
-  // Covariance about the centroid times the area.
-  double xx = 0;
-  double yy = 0;
-  double xy = 0;
-  for (std::size_t i = 0; i < polygon.size; ++i) {
-    const Vec2 p = polygon.vertices[i] - m.centroid;
-    const Vec2 q = polygon.vertices[next(i)] - m.centroid;
-    const double t = cross(p, q) / 12;
-    xx += t * (p.x() * p.x() + p.x() * q.x() + q.x() * q.x());
-    yy += t * (p.y() * p.y() + p.y() * q.y() + q.y() * q.y());
-    xy += t * (p.x() * p.y() + 0.5 * (p.x() * q.y() + q.x() * p.y()) + q.x() * q.y());
-  }
-  const double det = xx * yy - xy * xy;
+  const Vec2 axis = internal::longest_direction(polygon);
+  const Rotation frame{axis.x(), axis.y()};
+  OverlapPolygon placed = polygon;
+  for (std::size_t i = 0; i < polygon.size; ++i)
+    placed.vertices[i] = frame.inverse_times(polygon.vertices[i] - m.centroid);
+  const Ring ring = placed.ring();
+  const internal::SecondMoments s(ring);
+  const double det = s.uu * s.vv - s.uv * s.uv;
   if (!(det > 0)) return m;
-  const double trace = xx + yy;
+  const double trace = s.uu + s.vv;
   const double unit = 12 / (m.area * trace);
   m.depth = std::sqrt(2 * unit * det);
   // Density of the force; Simpson's rule is exact for it and for its moment.
   const auto density = [&](const Vec2& r) {
-    return yy * r.x() * r.x() - 2 * xy * r.x() * r.y() + xx * r.y() * r.y() - det / m.area -
-           det / trace * r.squaredNorm();
+    return (s.vv - det / trace) * r.x() * r.x() - 2 * s.uv * r.x() * r.y() +
+           (s.uu - det / trace) * r.y() * r.y() - det / m.area;
   };
-  for (std::size_t i = 0; i < polygon.size; ++i) {
-    if (polygon.sources[i].of_b) continue;
-    const Vec2 p = polygon.vertices[i] - m.centroid;
-    const Vec2 q = polygon.vertices[next(i)] - m.centroid;
+  Vec2 force{0, 0};
+  double moment = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (placed.sources[i].of_b) continue;
+    const Vec2& p = ring[i];
+    const Vec2& q = ring[next_vertex(i, ring.size())];
     const Vec2 edge = q - p;
     const Vec2 middle = 0.5 * (p + q);
     const double low = density(p);
     const double centre = 4 * density(middle);
     const double high = density(q);
-    m.gradient += (low + centre + high) * Vec2{edge.y(), -edge.x()};
-    m.rotation -= low * p.dot(edge) + centre * middle.dot(edge) + high * q.dot(edge);
+    force += (low + centre + high) * Vec2{edge.y(), -edge.x()};
+    moment -= low * p.dot(edge) + centre * middle.dot(edge) + high * q.dot(edge);
   }
   const double factor = unit / (6 * m.depth);
-  m.gradient *= factor;
-  m.rotation *= factor;
+  m.gradient = factor * (frame * force);
+  m.rotation = factor * moment;
   return m;
 }
 

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+#include <riprap/contact/contact_law/energy_conserving_spring.hpp>
+#include <riprap/contact/narrow_phase/overlap_moments.hpp>
+#include <riprap/dynamics/boundary/periodic_cell.hpp>
+#include <riprap/experiment/biaxial_test.hpp>
+#include <riprap/experiment/curve.hpp>
+#include <riprap/measurement/energy.hpp>
+#include <riprap/output/csv.hpp>
+#include <riprap/particle/random_assembly.hpp>
+#include <riprap/particle/random_box_assembly.hpp>
+#include <riprap/simulation/simulation.hpp>
+
+using namespace riprap;
+
+namespace {
+
+auto energy_conserving() {
+  return Model{}.narrow_phase(OverlapMoments{}).contact_law(EnergyConservingSpring{});
+}
+
+/// Compares stored energy, linear and angular momentum before and after each check with breaks.
+struct Breaks {
+  double stored = 0;
+  Vec2 momentum{0, 0};
+  double angular = 0;
+  int count = 0;
+  double largest_rise = 0;  ///< of stored energy, as a share of it
+
+  template <class Sim>
+  static Vec2 linear(const Sim& sim) {
+    Vec2 sum{0, 0};
+    for (const Body& body : sim.particles().bodies())
+      if (body.is_free()) sum += body.mass * body.velocity;
+    return sum;
+  }
+  template <class Sim>
+  static double turning(const Sim& sim) {
+    double sum = 0;
+    for (const Body& body : sim.particles().bodies())
+      if (body.is_free())
+        sum +=
+            body.mass * cross(body.position, body.velocity) + body.inertia * body.angular_velocity;
+    return sum;
+  }
+  template <class Sim>
+  void before_splits(const Sim& sim) {
+    stored = stored_energy(sim.contacts());
+    momentum = linear(sim);
+    angular = turning(sim);
+  }
+  template <class Sim>
+  void after_splits(const Sim& sim) {
+    ++count;
+    largest_rise = std::max(largest_rise, stored_energy(sim.contacts()) / stored - 1);
+    const double mass = sim.particles().density() * sim.particles().thickness() * 0.1;
+    CHECK((linear(sim) - momentum).norm() <= 1e-12 * mass);
+    CHECK(std::abs(turning(sim) - angular) <= 1e-12 * mass);
+  }
+};
+
+template <class ModelType>
+void shear(const ModelType& model, const Assembly& assembly, double pressure) {
+  Simulation sim{model, assembly, Rock{}};
+  Curve curve;
+  Breaks breaks;
+  BiaxialTest{.confining_pressure = pressure, .axial_strain = 0.1}.run(sim, curve, breaks);
+  CHECK(breaks.count > 10);
+  // Round-off of sums over some hundred contacts.
+  CHECK(breaks.largest_rise <= 1e-12);
+  const EnergyTerms& energy = curve.points().back().energy;
+  // The work of the contacts is a trapezoid sum: an error of second order in the step.
+  CHECK(std::abs(energy.law_residual) < 1e-3 * energy.boundary_work);
+  // The mass floor gives light pieces kinetic energy.
+  CHECK(energy.made() < 0.01 * energy.boundary_work);
+}
+
+}  // namespace
+
+TEST_CASE("stored energy never rises at a break, and the contacts make none") {
+  shear(energy_conserving(), random_assembly({.count = 150, .seed = 1}), 14e6);
+  shear(energy_conserving().boundary(PeriodicCell{}),
+        random_periodic_assembly({.count = 100, .seed = 2}), 16e6);
+}
+
+TEST_CASE("the chord model makes energy of the order of a tenth of the work in the same test") {
+  Simulation sim{Model{}.narrow_phase(OverlapChord{}).contact_law(LinearSpringCoulomb{}),
+                 random_assembly({.count = 150, .seed = 1}), Rock{}};
+  Curve curve;
+  BiaxialTest{.confining_pressure = 14e6, .axial_strain = 0.1}.run(sim, curve);
+  const EnergyTerms& energy = curve.points().back().energy;
+  CHECK(energy.made() > 0.05 * energy.boundary_work);
+}
