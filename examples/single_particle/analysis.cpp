@@ -67,7 +67,7 @@ void solve(Analysis& a, const S& support) {
                              S::needs_flexibility);
   a.balanced = a.loads;
   support.apply_reactions(std::span<BoundaryLoad>(a.balanced), op);
-  a.stress.reset(a.mesh.size());
+  a.stress.reset(op.sampling_points().size());
   for (const BoundaryLoad& load : a.balanced) op.add_stress(load.at, load.force_body, a.stress);
 }
 

@@ -63,7 +63,8 @@ class InfluenceOperator {
   [[nodiscard]] const Eigen::MatrixXd& columns() const { return stress_; }
 
   /// Adds the stresses due to a force [N] at a boundary point. Throws InvalidInput for a point that
-  /// is not on the boundary and a force that is not finite.
+  /// is not on the boundary, a force that is not finite and a `stress` of another size than
+  /// `sampling_points()`.
   void add_stress(const BoundaryPoint& at, const Vec2& force, ElementStress& stress) const;
 
   /// Displacement [m] of one boundary point under a force [N] at another, up to a rigid motion that
