@@ -57,7 +57,7 @@ class InfluenceOperator {
   [[nodiscard]] const BoundaryLocator& locator() const { return locator_; }
   [[nodiscard]] bool empty() const { return stress_.size() == 0; }
   /// Where the stresses are those of: the rows of each component of S.
-  [[nodiscard]] SamplingPoints sampling_points() const { return {mesh_, rule_}; }
+  [[nodiscard]] SamplingPoints sampling_points() const { return SamplingPoints(mesh_, rule_); }
   /// S [1/m^2]: a column for each boundary node and axis, with the s11 of every sampling point,
   /// then the s22, then the s12.
   [[nodiscard]] const Eigen::MatrixXd& columns() const { return stress_; }
