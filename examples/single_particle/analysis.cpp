@@ -67,7 +67,7 @@ void solve(Analysis& a, const S& support) {
                              S::needs_flexibility);
   a.balanced = a.loads;
   support.apply_reactions(std::span<BoundaryLoad>(a.balanced), op);
-  a.stress.reset(a.mesh.size());
+  a.stress.reset(op.sampling_points().size());
   for (const BoundaryLoad& load : a.balanced) op.add_stress(load.at, load.force_body, a.stress);
 }
 
@@ -106,7 +106,7 @@ void find_lines_and_pieces(Analysis& a) {
   }
   a.planes = failure_planes(c.criterion, a.stress[a.failures.first_failed].rotated(a.body.rotation),
                             a.first_failed().mode);
-  const auto points = failed_points(c.criterion, a.mesh, a.stress, a.body);
+  const auto points = failed_points(c.criterion, SamplingPoints(a.mesh), a.stress, a.body);
   a.by_x = WeightedX{}(points, a.planes);
   a.by_y = WeightedY{}(points, a.planes);
   const std::optional<Line> chosen = WeightedXY{}(points, a.planes);
@@ -119,7 +119,8 @@ void find_lines_and_pieces(Analysis& a) {
   }
   const Breaking model{.criterion = c.criterion, .splitter = c.splitter};
   const double mean_area = c.mean_area.value_or(area);
-  a.crack = find_crack(model, a.failures, a.mesh, a.stress, a.body, ring, mean_area);
+  a.crack =
+      find_crack(model, a.failures, SamplingPoints(a.mesh), a.stress, a.body, ring, mean_area);
   if (a.crack) {
     a.pieces = a.crack->pieces;
     return;

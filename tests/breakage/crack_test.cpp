@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include <riprap/breakage/criterion/hoek_brown.hpp>
@@ -12,6 +13,8 @@
 #include <riprap/breakage/line_fit/total_least_squares.hpp>
 #include <riprap/breakage/splitter/straight_cut.hpp>
 #include <riprap/core/units.hpp>
+#include <riprap/stress/element/linear_strain_triangle.hpp>
+#include <support/message_of.hpp>
 #include <support/near.hpp>
 #include <support/point_clouds.hpp>
 
@@ -72,8 +75,8 @@ std::optional<Crack> crack_of(const Breakage<Fit>& model, const Body& body, doub
   const Mesh mesh = square_mesh();
   const ElementStress stress = torn_in_the_middle(mesh);
   const std::vector<Vec2> ring = square_ring(body);
-  return find_crack(model, count_failures(model.criterion, stress), mesh, stress, body, ring,
-                    mean_area);
+  return find_crack(model, count_failures(model.criterion, stress), SamplingPoints(mesh), stress,
+                    body, ring, mean_area);
 }
 
 }  // namespace
@@ -81,7 +84,8 @@ std::optional<Crack> crack_of(const Breakage<Fit>& model, const Body& body, doub
 TEST_CASE("points of the line fit are the centroids of failed elements with their weights") {
   const Mesh mesh = square_mesh();
   const Body body = body_at(0.7, {5, -3});
-  const auto points = failed_points(HoekBrown{}, mesh, torn_in_the_middle(mesh), body);
+  const auto points =
+      failed_points(HoekBrown{}, SamplingPoints(mesh), torn_in_the_middle(mesh), body);
   REQUIRE(points.size() == 16);
   std::size_t k = 0;
   for (std::size_t e = 0; e < mesh.size(); ++e) {
@@ -140,6 +144,27 @@ TEST_CASE("a particle without failed elements has no crack") {
   stress.reset(mesh.size());
   const Body body = body_at(0, {0, 0});
   const Breakage<FailurePlaneThroughCentroid> model;
-  CHECK_FALSE(find_crack(model, count_failures(model.criterion, stress), mesh, stress, body,
-                         square_ring(body), 4));
+  CHECK_FALSE(find_crack(model, count_failures(model.criterion, stress), SamplingPoints(mesh),
+                         stress, body, square_ring(body), 4));
+}
+
+TEST_CASE("stresses of other sampling points than those given are refused") {
+  const Mesh mesh = square_mesh();
+  const Body body = body_at(0, {0, 0});
+  ElementStress stress;
+  stress.reset(LinearStrainTriangle::sampling_points.size() * mesh.size());
+  for (std::size_t i = 0; i < stress.size(); ++i) stress.set(i, {-100e6, 0, 0});  // all fail
+  const Breakage<TotalLeastSquares> model;
+  const FailureCount failures = count_failures(model.criterion, stress);
+  const std::string rule = "SamplingPoints.size() = " + to_text(static_cast<double>(mesh.size())) +
+                           ": must be that of the ElementStress";
+  CHECK(test::message_of([&] {
+          (void)failed_points(model.criterion, SamplingPoints(mesh), stress, body);
+        }) == rule);
+  CHECK(test::message_of([&] {
+          (void)find_crack(model, failures, SamplingPoints(mesh), stress, body, square_ring(body),
+                           4);
+        }) == rule);
+  const SamplingPoints samples(mesh, LinearStrainTriangle::sampling_points);
+  CHECK(failed_points(model.criterion, samples, stress, body).size() == stress.size());
 }

@@ -5,13 +5,8 @@
 
 using namespace riprap;
 
-TEST_CASE("the result of a stage is found by its name, and no stage has run before the test") {
+TEST_CASE("the result of a stage is found by its name") {
   BiaxialResult result;
-  for (const Stage stage :
-       {Stage::compaction, Stage::relaxation, Stage::hydrostatic, Stage::shear}) {
-    CHECK(result.stage(stage).steps == 0);
-    CHECK_FALSE(result.stage(stage).reached_target);
-  }
   result.stages = {{{.steps = 1}, {.steps = 2}, {.steps = 3}, {.steps = 4}}};
   CHECK(result.stage(Stage::compaction).steps == 1);
   CHECK(result.stage(Stage::relaxation).steps == 2);

@@ -2,6 +2,7 @@
 #include <riprap/experiment/unconfined_result.hpp>
 
 #include <doctest/doctest.h>
+#include <utility>
 
 #include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/breakage/line_fit/failure_plane_through_centroid.hpp>
@@ -29,6 +30,14 @@ UnconfinedResult banded(const Line& line) {
   r.failures = count_failures(HoekBrown{}, r.stress);
   return r;
 }
+
+template <class Result>
+concept GivesSamplingPoints = requires(Result&& r) { std::forward<Result>(r).sampling_points(); };
+
+// The points refer to the mesh of the result, which a temporary one takes along.
+static_assert(GivesSamplingPoints<const UnconfinedResult&>);
+static_assert(!GivesSamplingPoints<UnconfinedResult>);
+static_assert(!GivesSamplingPoints<const UnconfinedResult>);
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // riprap: an Element must have static constexpr std::array<TrianglePoint, N> sampling_points whose
-// shares sum to 1
+// shares are equal and sum to 1
 #include <riprap/simulation/model.hpp>
 using namespace riprap;
 

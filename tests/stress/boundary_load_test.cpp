@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <doctest/doctest.h>
+#include <string>
 
 #include <riprap/stress/assemble_and_solve.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
+#include <riprap/stress/element/linear_strain_triangle.hpp>
 #include <riprap/stress/influence_operator.hpp>
 #include <riprap/stress/mesher/fan_mesher.hpp>
 #include <riprap/stress/mesher/uniform_mesher.hpp>
@@ -64,4 +66,20 @@ TEST_CASE("a load off the boundary or not finite is refused by every kernel that
   CHECK(test::message_of([&] {
           whole.solve_pinned({}, {BoundaryPoint{0, 1, 1}, BoundaryPoint{10, 6, 1}}, stress);
         }) == "BoundaryPoint: node = 10: must be a boundary node");
+}
+
+TEST_CASE("stresses of another size than the sampling points are refused before they are written") {
+  const Mesh mesh = FanMesher{2}(test::regular_polygon(5, 0.01).ring());
+  const auto refuse = [&](const auto& element, std::size_t size) {
+    const InfluenceOperator op(mesh, element, PlaneStress{}, Rock{}, 0.01, false);
+    ElementStress stress;
+    stress.reset(size);
+    CHECK(test::message_of([&] {
+            op.add_stress({0, 1, 0.5}, {1, 0}, stress);
+          }) == "ElementStress.size() = " + std::to_string(size) +
+                    ": must be that of the operator's sampling_points()");
+  };
+  refuse(ConstantStrainTriangle{}, 0);
+  refuse(ConstantStrainTriangle{}, mesh.size() + 1);
+  refuse(LinearStrainTriangle{}, mesh.size());  // which has four for each triangle
 }

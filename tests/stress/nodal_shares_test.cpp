@@ -4,8 +4,10 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <string>
 
 #include <riprap/core/random.hpp>
+#include <support/message_of.hpp>
 #include <support/near.hpp>
 
 using namespace riprap;
@@ -52,5 +54,16 @@ TEST_CASE("quadratic shares are 1 at their nodes and keep force, moment and seco
     double absolute = 0;
     for (const double w : shares.weights) absolute += std::abs(w);
     CHECK(absolute <= 1.25 + 1e-15);  // what the screening relies on
+  }
+}
+
+TEST_CASE("a quadratic side is named by a node and the one after it") {
+  // Backwards, across a corner, and past the last node.
+  for (const BoundaryPoint& at :
+       {BoundaryPoint{5, 4, 0.5}, BoundaryPoint{4, 6, 0.5}, BoundaryPoint{9, 10, 0.5}}) {
+    CHECK(test::message_of([&] { (void)nodal_shares(at, true, 10); }) ==
+          "BoundaryPoint.next = " + std::to_string(at.next) +
+              ": must be the node after BoundaryPoint.node");
+    CHECK_NOTHROW((void)nodal_shares(at, false, 10));
   }
 }

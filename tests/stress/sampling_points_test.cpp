@@ -2,6 +2,7 @@
 #include <riprap/stress/sampling_points.hpp>
 
 #include <doctest/doctest.h>
+#include <type_traits>
 
 #include <support/loaded_particle.hpp>
 #include <support/near.hpp>
@@ -15,12 +16,16 @@ namespace {
 constexpr std::array<TrianglePoint, 2> rule{TrianglePoint{{0.5, 0.25, 0.25}, 0.25},
                                             TrianglePoint{{0.2, 0.4, 0.4}, 0.75}};
 
+// A mesh does not say which element its stresses are of, and a temporary one does not last.
+static_assert(!std::is_convertible_v<const Mesh&, SamplingPoints>);
+static_assert(!std::is_constructible_v<SamplingPoints, Mesh>);
+
 }  // namespace
 
 TEST_CASE("a mesh is sampled in its centroids unless a rule is given") {
   Random random(61);
   const Mesh mesh = test::random_mesh(random, 60);
-  const SamplingPoints points = mesh;
+  const SamplingPoints points(mesh);
   REQUIRE(points.size() == mesh.size());
   for (std::size_t e = 0; e < mesh.size(); ++e) {
     CHECK(points.position(e) == mesh.centroid(e));  // the same bytes

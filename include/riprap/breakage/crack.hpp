@@ -11,6 +11,7 @@
 
 #include <riprap/breakage/failure/failure_count.hpp>
 #include <riprap/breakage/line_fit/concepts.hpp>
+#include <riprap/core/errors.hpp>
 #include <riprap/geometry/convex_polygon.hpp>
 #include <riprap/geometry/cut.hpp>
 #include <riprap/particle/body.hpp>
@@ -27,11 +28,14 @@ struct Crack {
   CutRings pieces;
 };
 
-/// Failed sampling points of the elements with their weights 1/SF, in laboratory axes.
+/// Failed sampling points of the elements with their weights 1/SF, in laboratory axes. Throws
+/// InvalidInput if there are more or fewer sampling points than stresses.
 template <Criterion C>
 [[nodiscard]] std::vector<WeightedPoint>
 failed_points(const C& criterion, const SamplingPoints& samples, const ElementStress& stress,
               const Body& body) {
+  require(samples.size() == stress.size(), "SamplingPoints.size()",
+          static_cast<double>(samples.size()), "must be that of the ElementStress");
   std::vector<WeightedPoint> points;
   for (std::size_t e = 0; e < stress.size(); ++e) {
     const ElementFailure element = evaluate(criterion, stress[e]);
@@ -55,10 +59,11 @@ inline void require_whole(const CutRings& pieces, Ring ring) {
 
 /// The line through the failed elements and the pieces on its two sides; nothing if there is no
 /// line, the splitter refuses, or a piece breaks a rule of ConvexPolygon (of at most 64 vertices).
-/// Throws InvalidInput if the areas of the pieces do not add up to that of the ring.
+/// Throws InvalidInput if the areas of the pieces do not add up to that of the ring, and if there
+/// are more or fewer sampling points than stresses.
 /// @param model  offers `criterion`, `line_fit` and `splitter`
 /// @param failures  of `stress` under the criterion
-/// @param samples where in the particle its stress is sampled; a mesh: in its centroids
+/// @param samples where in the particle its stress is sampled
 /// @param stress at the sampling points, in the body's own frame
 /// @param ring   of the particle, in laboratory coordinates
 /// @param mean_area of the intact particles [m^2]

@@ -45,7 +45,11 @@ struct UnconfinedResult {
   double axial_strain = 0;               ///< shortening over height [-]
   std::vector<PlatenNode> platen_nodes;  ///< of the bottom platen from the left, then of the top's
 
-  [[nodiscard]] SamplingPoints sampling_points() const { return {mesh, sampling_rule}; }
+  /// Refers to `mesh`.
+  [[nodiscard]] SamplingPoints sampling_points() const& {
+    return SamplingPoints(mesh, sampling_rule);
+  }
+  SamplingPoints sampling_points() const&& = delete;  // would outlive the mesh
   /// Rat [-].
   [[nodiscard]] double ratio() const { return failures.ratio(); }
 

@@ -188,7 +188,8 @@ class Simulation {
     return {model_, rock_, particles_, contacts_, breakage_};
   }
   [[nodiscard]] StressQuery<ModelType, Contacts> stress_query(BodyIndex i) const {
-    return require_body(i), stress_query();
+    require_body(i);
+    return stress_query();
   }
 
   [[nodiscard]] auto body_step() {
@@ -230,8 +231,7 @@ class Simulation {
     for (const BodyWork& work : task_work_) work_ += work;
   }
 
-  // All cracks are found before the first particle splits, for splitting changes the contacts that
-  // loaded the others.
+  // All cracks are found before the first split, which changes the contacts that load the others.
   template <class OnPhaseEnd, class... Observers>
   void break_particles(OnPhaseEnd&& on_phase_end, Observers&... observers) {
     const BreakagePass::Cracks& cracks =

@@ -42,9 +42,9 @@ class AssembleAndSolve {
   /// Also factorises. Throws InvalidInput for a mesh, a rock, a thickness or a support that breaks
   /// a rule.
   /// @param mesh      anywhere in the plane; its centroid need not be the origin. Mid-side nodes
-  /// are
-  ///                  added where the element has them: points and nodes are those of `mesh()`
+  ///                  are added where the element has them: points and nodes are those of `mesh()`
   /// @param thickness out of plane [m]
+  /// @param support   its nodes are of `mesh()` too, which mesh_for_element makes beforehand
   AssembleAndSolve(Mesh mesh, const E& element, const P& plane, const Rock& rock, double thickness,
                    const DeterminateSupport& support)
       : mesh_(mesh_for_element<E::nodes>(std::move(mesh))), element_(element),
@@ -56,6 +56,11 @@ class AssembleAndSolve {
     build_pattern();
     factorise();
   }
+  /// Held by nodes on opposite sides of `mesh()`.
+  AssembleAndSolve(const Mesh& mesh, const E& element, const P& plane, const Rock& rock,
+                   double thickness)
+      : AssembleAndSolve(mesh, element, plane, rock, thickness,
+                         DeterminateSupport::on_opposite_sides(mesh_for_element<E::nodes>(mesh))) {}
   AssembleAndSolve(const AssembleAndSolve&) = delete;
   AssembleAndSolve& operator=(const AssembleAndSolve&) = delete;
 

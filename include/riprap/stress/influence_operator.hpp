@@ -57,13 +57,14 @@ class InfluenceOperator {
   [[nodiscard]] const BoundaryLocator& locator() const { return locator_; }
   [[nodiscard]] bool empty() const { return stress_.size() == 0; }
   /// Where the stresses are those of: the rows of each component of S.
-  [[nodiscard]] SamplingPoints sampling_points() const { return {mesh_, rule_}; }
+  [[nodiscard]] SamplingPoints sampling_points() const { return SamplingPoints(mesh_, rule_); }
   /// S [1/m^2]: a column for each boundary node and axis, with the s11 of every sampling point,
   /// then the s22, then the s12.
   [[nodiscard]] const Eigen::MatrixXd& columns() const { return stress_; }
 
   /// Adds the stresses due to a force [N] at a boundary point. Throws InvalidInput for a point that
-  /// is not on the boundary and a force that is not finite.
+  /// is not on the boundary, a force that is not finite and a `stress` of another size than
+  /// `sampling_points()`.
   void add_stress(const BoundaryPoint& at, const Vec2& force, ElementStress& stress) const;
 
   /// Displacement [m] of one boundary point under a force [N] at another, up to a rigid motion that

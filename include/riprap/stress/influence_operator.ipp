@@ -70,6 +70,8 @@ template <class Once>
 RIPRAP_INLINE void InfluenceOperator::add_stress(const BoundaryPoint& at, const Vec2& force,
                                                  ElementStress& stress) const {
   require_boundary_load(at, force, mesh_.boundary_nodes);
+  require(stress.values().size() == stress_.rows(), "ElementStress.size()",
+          static_cast<double>(stress.size()), "must be that of the operator's sampling_points()");
   if (!mesh_.mid_sides.empty()) return add_quadratic_stress(at, force, stress);
   const double w = at.weight;
   const double near_x = w * force.x();

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <riprap/core/errors.hpp>
 #include <riprap/stress/mesher/mesh.hpp>
 
 namespace riprap {
@@ -19,11 +20,15 @@ struct NodalShares {
   std::size_t count = 2;
 };
 
-/// Of a point between neighbouring boundary nodes.
+/// Of a point between neighbouring boundary nodes. Throws InvalidInput for a quadratic side if
+/// `at.next` is not the node after `at.node`, counter-clockwise: the third node follows from both.
 /// @param quadratic whether every second boundary node is a mid-side node
 [[nodiscard]] inline NodalShares nodal_shares(const BoundaryPoint& at, bool quadratic,
                                               std::uint32_t boundary_nodes) {
   if (!quadratic) return {{at.node, at.next, 0}, {at.weight, 1 - at.weight, 0}, 2};
+  const std::uint32_t after = at.node + 1 == boundary_nodes ? 0 : at.node + 1;
+  require(at.next == after, "BoundaryPoint.next", at.next,
+          "must be the node after BoundaryPoint.node");
   const bool from_middle = at.node % 2 != 0;
   // From the corner of the side nearer to the point, in units of half the side.
   const double x = from_middle ? at.weight : 1 - at.weight;

@@ -60,8 +60,8 @@ class PrescribedDisplacement {
   /// @param thickness out of plane [m]
   /// @param held      the prescribed components, each named once, in the order of the values
   /// Throws InvalidInput for a mesh, a rock or a thickness that breaks a rule and for a component
-  /// that the mesh does not have, and SimulationError where
-  /// the held components leave the body free to move.
+  /// that the mesh does not have, and SimulationError where the held components leave the body free
+  /// to move.
   PrescribedDisplacement(Mesh mesh, const E& element, const P& plane, const Rock& rock,
                          double thickness, std::vector<NodeComponent> held)
       : mesh_(mesh_for_element<E::nodes>(std::move(mesh))), element_(element),

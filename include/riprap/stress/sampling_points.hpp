@@ -22,9 +22,10 @@ struct SamplingPoint {
 class SamplingPoints {
  public:
   /// @param rule of every triangle, in static memory; by default its centroid
-  SamplingPoints(const Mesh& mesh, std::span<const TrianglePoint> rule = centroid_rule)
+  explicit SamplingPoints(const Mesh& mesh, std::span<const TrianglePoint> rule = centroid_rule)
       : mesh_(&mesh), rule_(rule) {}
-  SamplingPoints(const Mesh&&, std::span<const TrianglePoint> = {}) = delete;  // would outlive it
+  explicit SamplingPoints(const Mesh&&,
+                          std::span<const TrianglePoint> = {}) = delete;  // would outlive it
 
   [[nodiscard]] std::size_t size() const { return mesh_->size() * rule_.size(); }
   [[nodiscard]] std::size_t triangle(std::size_t i) const { return i / rule_.size(); }

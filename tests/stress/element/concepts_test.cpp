@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <riprap/stress/element/concepts.hpp>
+#include <riprap/stress/element/linear_strain_triangle.hpp>
 #include <support/archetypes.hpp>
 
 using namespace riprap;
@@ -62,6 +63,14 @@ struct WithoutSampling : archetype::Element {
 struct SharesOfTwo : archetype::Element {
   static constexpr Rule sampling_points{TrianglePoint{}, TrianglePoint{}};
 };
+struct UnequalShares : archetype::Element {
+  static constexpr Rule sampling_points{TrianglePoint{{0.5, 0.25, 0.25}, 0.25},
+                                        TrianglePoint{{0.25, 0.375, 0.375}, 0.75}};
+};
+struct UnequalWeights : UnequalShares {  // to integrate by
+  static constexpr Rule integration_points = UnequalShares::sampling_points;
+  static constexpr auto sampling_points = LinearStrainTriangle::sampling_points;
+};
 struct NegativeShare : archetype::Element {
   static constexpr Rule integration_points{TrianglePoint{{1, 0, 0}, 1.5},
                                            TrianglePoint{{0, 1, 0}, -0.5}};
@@ -86,6 +95,8 @@ static_assert(!Element<NodesAtRunTime>);
 static_assert(!Element<OtherNodes>);
 static_assert(!Element<WithoutSampling>);
 static_assert(!Element<SharesOfTwo>);
+static_assert(!Element<UnequalShares>);
+static_assert(Element<UnequalWeights>);
 static_assert(!Element<NegativeShare>);
 static_assert(!Element<OffThePlane>);
 

@@ -51,6 +51,18 @@ TEST_CASE("mid-side nodes change neither triangles nor boundary, and there is on
   }
 }
 
+TEST_CASE("a piece of boundary that is no side of a triangle is refused") {
+  Mesh square;
+  square.nodes = {{0, 0}, {2, 0}, {0, 2}, {2, 2}};  // the last two the wrong way round
+  square.triangles = {{0, 1, 3}, {0, 3, 2}};
+  square.boundary_nodes = 4;
+  REQUIRE_NOTHROW(square.validate());
+  // Node 3 is to be between nodes 1 and 2, which are on a diagonal.
+  const std::string rule = "Mesh: node 3: must be part of a triangle";
+  CHECK(test::message_of([&] { (void)with_mid_side_nodes(square); }) == rule);
+  CHECK(test::message_of([&] { (void)mesh_for_element<6>(square); }) == rule);
+}
+
 TEST_CASE("a mesh gets the nodes of its element, and no others") {
   Random random(52);
   const Mesh coarse = test::random_mesh(random, 30);

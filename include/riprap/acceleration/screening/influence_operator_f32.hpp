@@ -57,7 +57,8 @@ class InfluenceOperatorF32 {
   /// For unit forces at two boundary points: the sum over all elements of the products of their
   /// stresses, the shear counted twice, as a matrix of the axes of the forces. With it the square
   /// of the Frobenius norm of all stresses is a quadratic form. Off by at most `product_error`
-  /// times the norms of the two: sums of some 300 terms in single precision.
+  /// times the norms of the two: sums of three terms for each sampling point in single precision,
+  /// 1,200 with 100 triangles of six nodes. Measured: 6e-7 with 1,600 points.
   static constexpr double product_error = 4e-5;
   [[nodiscard]] AxisForm product(const BoundaryPoint& a, const BoundaryPoint& b) const;
 

@@ -30,11 +30,13 @@ template <class E>
 concept ElementNodes =
     requires { requires std::bool_constant<E::nodes == 3 || E::nodes == 6>::value; };
 
-/// `E::sampling_points`: where the stress is evaluated. A failed point counts as a failed element:
-/// Rat is the failed share of the area of an element where all shares are equal.
+/// `E::sampling_points`: where the stress is evaluated. A failed point counts as a failed element,
+/// so that Rat is the failed share of an element only if the shares are equal.
 template <class E>
-concept ElementSampling =
-    requires { requires std::bool_constant<is_triangle_rule(E::sampling_points)>::value; };
+concept ElementSampling = requires {
+  requires std::bool_constant<is_triangle_rule(E::sampling_points) &&
+                              has_equal_shares(E::sampling_points)>::value;
+};
 
 /// `E::integration_points`: by which the stiffness is integrated.
 template <class E>
@@ -77,7 +79,7 @@ consteval bool check_element() {
                 "riprap: an Element must have static constexpr std::size_t nodes, 3 or 6");
   static_assert(ElementSampling<E>,
                 "riprap: an Element must have static constexpr std::array<TrianglePoint, N> "
-                "sampling_points whose shares sum to 1");
+                "sampling_points whose shares are equal and sum to 1");
   static_assert(ElementIntegration<E>,
                 "riprap: an Element must have static constexpr std::array<TrianglePoint, N> "
                 "integration_points whose shares sum to 1");

@@ -42,4 +42,14 @@ template <std::size_t N>
   return is_one(shares);
 }
 
+/// Whether every point stands for as much of the triangle as the others.
+template <std::size_t N>
+[[nodiscard]] constexpr bool has_equal_shares(const std::array<TrianglePoint, N>& points) {
+  for (const TrianglePoint& point : points) {
+    const double share = static_cast<double>(N) * point.share;
+    if (!(share > 1 - 1e-12 && share < 1 + 1e-12)) return false;
+  }
+  return true;
+}
+
 }  // namespace riprap

@@ -14,7 +14,8 @@ namespace riprap {
 
 /// The same triangles with a node in the middle of every side, which two triangles share. Boundary
 /// node i becomes 2 i, the middle of the side to the next one 2 i + 1; then come the inner nodes in
-/// their order, then the inner mid-side nodes.
+/// their order, then the inner mid-side nodes. Throws InvalidInput if two neighbouring boundary
+/// nodes are not a side of a triangle: the node between them is part of none.
 /// @param mesh valid, without mid-side nodes
 [[nodiscard]] Mesh with_mid_side_nodes(const Mesh& mesh);
 

@@ -16,7 +16,7 @@ RIPRAP_INLINE Mesh with_mid_side_nodes(const Mesh& mesh) {
   const auto renumbered = [&](std::uint32_t i) { return i < boundary ? 2 * i : boundary + i; };
   Mesh out;
   out.boundary_nodes = 2 * boundary;
-  out.nodes.resize(boundary + mesh.nodes.size());
+  out.nodes.assign(boundary + mesh.nodes.size(), Vec2{0, 0});
   for (std::uint32_t i = 0; i < mesh.nodes.size(); ++i) out.nodes[renumbered(i)] = mesh.nodes[i];
   for (const std::uint32_t corner : mesh.corners) out.corners.push_back(renumbered(corner));
   for (const auto& [p, q, r] : mesh.triangles)
@@ -41,6 +41,7 @@ RIPRAP_INLINE Mesh with_mid_side_nodes(const Mesh& mesh) {
     }
     out.mid_sides.push_back(middles);
   }
+  out.validate();  // every boundary node has a side
   return out;
 }
 
