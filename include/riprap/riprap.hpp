@@ -18,6 +18,8 @@
 #include <riprap/breakage/line_fit/total_least_squares.hpp>
 #include <riprap/breakage/splitter/no_split.hpp>
 #include <riprap/breakage/trigger/any_element.hpp>
+#include <riprap/breakage/trigger/calibrated_limit.hpp>
+#include <riprap/breakage/trigger/failed_area_ratio.hpp>
 #include <riprap/breakage/trigger/never_breaks.hpp>
 #include <riprap/breakage/trigger/weibull_strength.hpp>
 #include <riprap/contact/broad_phase/all_pairs.hpp>
