@@ -12,6 +12,7 @@
 #include <riprap/breakage/criterion/murrell.hpp>
 #include <riprap/breakage/criterion/rankine.hpp>
 #include <riprap/breakage/criterion/rock_mass.hpp>
+#include <riprap/breakage/criterion/three_principal_stresses.hpp>
 #include <riprap/breakage/inheritance/at_rest.hpp>
 #include <riprap/breakage/line_fit/failure_plane_through_centroid.hpp>
 #include <riprap/breakage/line_fit/no_line.hpp>
