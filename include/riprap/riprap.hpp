@@ -12,12 +12,15 @@
 #include <riprap/breakage/criterion/murrell.hpp>
 #include <riprap/breakage/criterion/rankine.hpp>
 #include <riprap/breakage/criterion/rock_mass.hpp>
+#include <riprap/breakage/criterion/three_principal_stresses.hpp>
 #include <riprap/breakage/inheritance/at_rest.hpp>
 #include <riprap/breakage/line_fit/failure_plane_through_centroid.hpp>
 #include <riprap/breakage/line_fit/no_line.hpp>
 #include <riprap/breakage/line_fit/total_least_squares.hpp>
 #include <riprap/breakage/splitter/no_split.hpp>
 #include <riprap/breakage/trigger/any_element.hpp>
+#include <riprap/breakage/trigger/calibrated_limit.hpp>
+#include <riprap/breakage/trigger/failed_area_ratio.hpp>
 #include <riprap/breakage/trigger/never_breaks.hpp>
 #include <riprap/breakage/trigger/weibull_strength.hpp>
 #include <riprap/contact/broad_phase/all_pairs.hpp>

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <riprap/simulation/model_parts.hpp>
+#include <riprap/stress/support/two_pinned_contacts.hpp>
 
 using namespace riprap;
 
@@ -40,4 +41,29 @@ TEST_CASE("failed elements are those of the stress, under loads divided by the s
       evaluate_particle(strong, part.support, *op, particles, 0, loads, evaluate_strong);
   CHECK(2 * half.stress.values() == stress.values());
   CHECK(half.failures.failed < failures.failed);
+}
+
+TEST_CASE("a particle with two contacts that are both pinned cannot fail at any load") {
+  Particles particles(0.016, 2500);
+  particles.add(ConvexPolygon{{0, 0}, {0.016, 0}, {0.016, 0.016}, {0, 0.016}}, Motion::free);
+  const StressModel<UniformMesher, ConstantStrainTriangle, PlaneStress, TwoPinnedContacts> pinned{};
+  const auto op = build_operator(pinned, Rock{}, particles, 0);
+  const BreakageModel<> breakage{};
+  StressEvaluation evaluate;
+  for (const double force : {2e5, 2e9, 2e15}) {
+    std::vector<ContactLoad> loads{{{0, 0.008}, {0.1 * force, -force}, force},
+                                   {{0, -0.008}, {0, force}, force}};
+    const auto find = [&](const auto& support) {
+      return evaluate_particle(breakage, support, *op, particles, 0, loads, evaluate)
+          .failures.failed;
+    };
+    CHECK(find(part.support) > 0);  // free
+    CHECK(find(pinned.support) == 0);
+    CHECK(evaluate_particle(breakage, pinned.support, *op, particles, 0, loads, evaluate)
+              .stress.values()
+              .isZero(0));
+    // A third contact loads it.
+    loads.push_back({{0.008, 0}, {-force, 0}, 0});
+    CHECK(find(pinned.support) > 0);
+  }
 }

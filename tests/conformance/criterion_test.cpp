@@ -17,6 +17,7 @@
 #include <riprap/breakage/criterion/never_fails.hpp>
 #include <riprap/breakage/criterion/rankine.hpp>
 #include <riprap/breakage/criterion/rock_mass.hpp>
+#include <riprap/breakage/criterion/three_principal_stresses.hpp>
 #include <riprap/conformance/criterion.hpp>
 
 using namespace riprap;
@@ -50,6 +51,20 @@ struct Unfinished : HoekBrown {
   }
 };
 
+/// Feels a stress out of the plane that falls as those in the plane rise.
+struct Squeezed : HoekBrown {
+  PrincipalValues extreme_stresses(const PrincipalValues& in_plane) const {
+    return {in_plane.major, std::min(in_plane.minor, -0.05 * (in_plane.major + in_plane.minor))};
+  }
+};
+
+/// Feels the major stress in the plane as the smallest.
+struct Hydrostatic : HoekBrown {
+  PrincipalValues extreme_stresses(const PrincipalValues& in_plane) const {
+    return {in_plane.major, in_plane.major};
+  }
+};
+
 struct GivenAngle : HoekBrown {
   double given = 0;
   double friction_angle(double) const { return given; }
@@ -70,6 +85,11 @@ TEST_CASE("the criteria of riprap obey the axioms") {
   CHECK(to_text(criterion_violations(Murrell{}, 12 * 12e6)) == "");
   CHECK(to_text(criterion_violations(Hobbs{}, 300e6)) == "");
   CHECK(to_text(criterion_violations(Franklin{}, 300e6)) == "");
+  for (const double ratio : {0.0, 0.17, 0.45}) {
+    CHECK(to_text(criterion_violations(ThreePrincipalStresses{HoekBrown{}, ratio}, 300e6)) == "");
+    CHECK(to_text(criterion_violations(ThreePrincipalStresses{MohrCoulomb{}, ratio}, 300e6)) == "");
+    CHECK(to_text(criterion_violations(ThreePrincipalStresses{Rankine{}, ratio})) == "");
+  }
   CHECK(to_text(criterion_violations(NeverFails{})) == "");
   using Choice = CriterionChoice<HoekBrown, MohrCoulomb, Rankine, Franklin>;
   CHECK(to_text(criterion_violations(Choice{HoekBrown{}}, 300e6)) == "");
@@ -95,6 +115,13 @@ TEST_CASE("a criterion with an impossible curve is reported") {
   check_violated(criterion_violations(Crushing{}),
                  "equal stresses fail in tension only: major stress at failure");
   check_violated(criterion_violations(Unfinished{}), "the major stress at failure is a number");
+}
+
+TEST_CASE("a criterion by impossible stresses out of the plane is reported") {
+  check_violated(criterion_violations(Squeezed{}),
+                 "an intact element stays so if its minor stress in the plane rises");
+  check_violated(criterion_violations(Hydrostatic{}),
+                 "the smallest stress is not above those in the plane");
 }
 
 TEST_CASE("a criterion with an impossible friction angle is reported") {

@@ -6,6 +6,7 @@
 #include <support/violated.hpp>
 
 #include <riprap/breakage/trigger/any_element.hpp>
+#include <riprap/breakage/trigger/failed_area_ratio.hpp>
 #include <riprap/breakage/trigger/failed_element_ratio.hpp>
 #include <riprap/breakage/trigger/never_breaks.hpp>
 #include <riprap/breakage/trigger/weibull_strength.hpp>
@@ -39,6 +40,12 @@ struct NeedsTooMany : FailedCount {
   std::size_t failed_elements_needed(std::size_t) const { return critical + 1; }
 };
 
+struct NeedsTooManyAreas : FailedAreaRatio {
+  std::size_t failed_elements_needed(const LargestAreas& areas) const {
+    return FailedAreaRatio::failed_elements_needed(areas) + 1;
+  }
+};
+
 /// A strength that is `strength` at the first call and changes by `change` with each.
 struct Strength : NeverBreaks {
   mutable double strength = 1;
@@ -50,6 +57,7 @@ struct Strength : NeverBreaks {
 
 TEST_CASE("the triggers of riprap obey the axioms") {
   CHECK(to_text(trigger_violations(FailedElementRatio{})) == "");
+  CHECK(to_text(trigger_violations(FailedAreaRatio{})) == "");
   CHECK(to_text(trigger_violations(AnyElement{})) == "");
   CHECK(to_text(trigger_violations(WeibullStrength{})) == "");
   CHECK(to_text(trigger_violations(NeverBreaks{})) == "");
@@ -74,6 +82,8 @@ TEST_CASE("a trigger that is not monotonic, or not repeatable, is reported") {
 
 TEST_CASE("a trigger that fires with fewer failed elements than are needed is reported") {
   check_violated(trigger_violations(NeedsTooMany{}),
+                 "a particle with fewer failed elements than are needed stays whole");
+  check_violated(trigger_violations(NeedsTooManyAreas{}),
                  "a particle with fewer failed elements than are needed stays whole");
 }
 

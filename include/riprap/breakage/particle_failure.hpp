@@ -31,7 +31,8 @@ evaluate_particle(const BreakagePart& breakage, const Support& support, const In
                   StressEvaluation& evaluate) {
   const ElementStress& stress = evaluate(op, support, particles.body(i).rotation, loads,
                                          load_scale(breakage.trigger, particles, i));
-  return {stress, count_failures(breakage.criterion, stress)};
+  return {stress, count_failures(breakage.criterion, stress, op.sampling_points(),
+                                 particles.shape(i).area)};
 }
 
 }  // namespace riprap

@@ -13,6 +13,32 @@
 #include <riprap/conformance/violations.hpp>
 
 namespace riprap {
+namespace internal {
+
+/// What screening relies on, over states of stress up to three times the uniaxial strength.
+template <OutOfPlaneCriterion C>
+void check_extreme_stresses(const C& criterion, AxiomCheck& check) {
+  const double tensile = criterion.tensile_strength();
+  const double uniaxial = criterion.major_stress_at_failure(0);
+  const double step = 0.05 * (std::isfinite(uniaxial) ? uniaxial : tensile);
+  for (double major = -tensile; major < 60 * step; major += step)
+    for (double minor = major; minor > -tensile; minor -= step) {
+      check.at("sigma_1 in the plane", major);
+      const PrincipalValues extremes = extreme_stresses(criterion, {major, minor});
+      check.at_least("the largest stress is not below those in the plane", extremes.major, major);
+      check.at_most("the smallest stress is not above those in the plane", extremes.minor, minor);
+      if (evaluate(criterion, Stress2{major, minor, 0}).failed()) continue;
+      for (const double rise : {0.01 * (major - minor), 0.3 * (major - minor), major - minor}) {
+        check.holds("an intact element stays so if its minor stress in the plane rises",
+                    !evaluate(criterion, Stress2{major, minor + rise, 0}).failed());
+        check.holds("an intact element stays so if its stresses in the plane come closer",
+                    !evaluate(criterion, Stress2{major - rise / 2, minor + rise / 2, 0}).failed());
+      }
+    }
+}
+
+}  // namespace internal
+
 /// Which axioms a failure criterion breaks for minor stresses from its tensile strength to ten
 /// times that in compression. A criterion that never fails has none; where the major stress at
 /// failure is infinite (failure in tension only) those about the curve are left out.
@@ -30,6 +56,8 @@ criterion_violations(const C& criterion,
   if (!std::isnan(uniaxial))
     check.equal("at the uniaxial compressive strength the safety factor is 1",
                 evaluate(criterion, Stress2{uniaxial, 0, 0}).safety_factor, 1, 1e-6);
+
+  if constexpr (OutOfPlaneCriterion<C>) internal::check_extreme_stresses(criterion, check);
 
   constexpr int samples = 440;
   double minor = -tensile;

@@ -18,6 +18,7 @@
 #include <riprap/breakage/criterion/never_fails.hpp>
 #include <riprap/breakage/criterion/rankine.hpp>
 #include <riprap/breakage/criterion/rock_mass.hpp>
+#include <riprap/breakage/criterion/three_principal_stresses.hpp>
 #include <riprap/breakage/failure/failure_count.hpp>
 #include <riprap/core/random.hpp>
 #include <support/near.hpp>
@@ -55,14 +56,14 @@ bool fails(const C& criterion, double centre, double radius) {
 // The radius in the table against the criterion: just below it nothing has failed, and a little
 // above it, by a step of the table, all have.
 template <class C>
-void check_radii(const C& criterion, double lowest, double highest) {
+void check_radii(const C& criterion, double lowest, double highest, double steps = 1.01) {
   MohrRadiusTable radii = MohrRadiusTable::of(criterion);
   Random random(71);
   for (int i = 0; i < 20000; ++i) {
     const double centre = random.uniform(lowest, highest);
     const double radius = radius_at_least(radii, centre);
     if (radius > 0) CHECK_FALSE(fails(criterion, centre, radius));
-    const double above = std::max(0.0, radius) + 1.01 * static_cast<double>(radii.step());
+    const double above = std::max(0.0, radius) + steps * static_cast<double>(radii.step());
     CHECK(fails(criterion, centre, above));
   }
 }
@@ -105,13 +106,70 @@ TEST_CASE("no circle smaller than the tabled radius has failed, and hardly a lar
   check_radii(CriterionChoice<HoekBrown, Rankine>{Rankine{}}, -20e6, 600e6);
 }
 
-TEST_CASE("beyond the table the radius is still on the safe side") {
-  const HoekBrown criterion;
-  MohrRadiusTable radii = MohrRadiusTable::of(criterion);
-  for (const double centre : {-1e12, -1e9, 2e9, 1e11, 1e13}) {
-    const double radius = radius_at_least(radii, centre);
-    if (radius > 0) CHECK_FALSE(fails(criterion, centre, radius));
+// Where the radius at failure rises and falls with the centre no faster than it, the bounds between
+// two entries lose up to two steps more.
+TEST_CASE("the same for the stress out of the plane, which makes radii fall") {
+  for (const double ratio : {0.0, 0.17, 0.3, 0.49}) {
+    check_radii(ThreePrincipalStresses{HoekBrown{}, ratio}, -20e6, 1100e6, 3.01);
+    check_radii(ThreePrincipalStresses{MohrCoulomb{}, ratio}, -20e6, 1100e6, 3.01);
+    check_radii(ThreePrincipalStresses{Griffith{}, ratio}, -20e6, 350e6, 3.01);
+    check_radii(ThreePrincipalStresses{Rankine{}, ratio}, -20e6, 700e6, 3.01);
+    check_radii(ThreePrincipalStresses{Hobbs{}, ratio}, -20e6, 1100e6, 3.01);
   }
+}
+
+namespace {
+
+// Almost flat, then steep: under pressure from all sides in plane strain rock that has failed
+// becomes intact again.
+struct Steepening {
+  double major_stress_at_failure(double minor) const {
+    return minor + 20e6 + (minor > 40e6 ? 5 * (minor - 40e6) : 0);
+  }
+  double tensile_strength() const { return 5e6; }
+};
+
+// No change of stress by less than the tabled distance makes an intact element fail.
+template <class C>
+void check_distances(const C& criterion, double lowest, double highest) {
+  MohrRadiusTable radii = MohrRadiusTable::of(criterion);
+  Random random(74);
+  int worked = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double centre = random.uniform(lowest, highest);
+    const double bound = radius_at_least(radii, centre);
+    const double radius = random.uniform(0, 1) * bound;
+    const double distance = bound - radius;
+    if (!(distance > 0)) continue;
+    const double shift = random.uniform(-1, 1) * distance;
+    CHECK_FALSE(fails(criterion, centre + shift, radius + distance - std::abs(shift)));
+    ++worked;
+  }
+  CHECK(worked > 1000);
+}
+
+}  // namespace
+
+TEST_CASE("no change of stress by less than the distance makes an intact element fail") {
+  check_distances(HoekBrown{}, -20e6, 600e6);
+  for (const double ratio : {0.0, 0.17, 0.3, 0.49})
+    check_distances(ThreePrincipalStresses{HoekBrown{}, ratio}, -20e6, 1200e6);
+  REQUIRE(fails(ThreePrincipalStresses{Steepening{}, 0.25}, 80e6, 0));
+  REQUIRE(!fails(ThreePrincipalStresses{Steepening{}, 0.25}, 75e6 * 2, 0));
+  check_distances(ThreePrincipalStresses{Steepening{}, 0.25}, -10e6, 200e6);
+  check_distances(ThreePrincipalStresses{Jagged{}, 0.3}, -10e6, 100e6);
+}
+
+TEST_CASE("beyond the table the radius is still on the safe side") {
+  const auto check = [](const auto& criterion) {
+    MohrRadiusTable radii = MohrRadiusTable::of(criterion);
+    for (const double centre : {-1e12, -1e9, 2e9, 1e11, 1e13}) {
+      const double radius = radius_at_least(radii, centre);
+      if (radius > 0) CHECK_FALSE(fails(criterion, centre, radius));
+    }
+  };
+  check(HoekBrown{});
+  for (const double ratio : {0.0, 0.17, 0.49}) check(ThreePrincipalStresses{HoekBrown{}, ratio});
 }
 
 TEST_CASE("what never fails is infinitely far from failure") {

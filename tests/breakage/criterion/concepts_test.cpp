@@ -68,8 +68,18 @@ struct TensionIsNoNumber : archetype::Criterion {
 struct AngleChangesTheStress : archetype::Criterion {
   double friction_angle(double& minor) const { return minor; }
 };
+struct ExtremesAreNotConst : archetype::Criterion {
+  PrincipalValues extreme_stresses(const PrincipalValues& in_plane) { return in_plane; }
+};
+struct ExtremesAreNumbers : archetype::Criterion {
+  double extreme_stresses(const PrincipalValues&) const { return 0; }
+};
+struct ExtremesChangeTheStress : archetype::Criterion {
+  PrincipalValues extreme_stresses(PrincipalValues& in_plane) const { return in_plane; }
+};
 
 static_assert(Criterion<archetype::Criterion>);
+static_assert(!OutOfPlaneCriterion<archetype::Criterion>);
 static_assert(Criterion<StraightLine>);
 static_assert(Criterion<Parabola>);
 static_assert(!Criterion<WithoutTensileStrength>);
@@ -82,6 +92,9 @@ static_assert(!Criterion<CurveIsNotConst>);
 static_assert(!Criterion<CurveIsNoNumber>);
 static_assert(!Criterion<TensionIsNoNumber>);
 static_assert(!Criterion<AngleChangesTheStress>);
+static_assert(!Criterion<ExtremesAreNotConst>);
+static_assert(!Criterion<ExtremesAreNumbers>);
+static_assert(!Criterion<ExtremesChangeTheStress>);
 static_assert(!never_fails<StraightLine>);
 static_assert(!never_fails<SaysThatItCanFail>);
 

@@ -96,6 +96,19 @@ TEST_CASE("a particle without load or without elements has not failed") {
   CHECK(count_failures(NeverFails{}, elements({torn(0.01), crushed(0.01)})).failed == 0);
 }
 
+TEST_CASE("with sampling points the failed area is counted") {
+  Mesh mesh;
+  mesh.nodes = {{0, 0}, {3, 0}, {3, 2}, {0, 4}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};  // of areas 3 and 6
+  const auto stress = elements({crushed(1.5), crushed(0.5)});
+  const FailureCount failures = count_failures(HoekBrown{}, stress, mesh, 9);
+  CHECK(failures.failed == 1);
+  CHECK(failures.first_failed == 1);
+  CHECK(failures.failed_area == 6);
+  CHECK(failures.area_ratio() == near(2.0 / 3, 1e-15));
+  CHECK(count_failures(HoekBrown{}, stress).area_ratio() == 0);
+}
+
 namespace {
 
 // Contact forces of some kN fail part of a particle of 16 mm.

@@ -22,7 +22,8 @@ namespace riprap {
 /// least as fast as the minor stress, so this radius does not decrease with the centre, and rises
 /// no faster than it. A change of stress of spectral norm x changes centre and radius by at most x
 /// in sum: the distance of a radius from that at failure is the least change by which an element
-/// can fail.
+/// can fail. For an OutOfPlaneCriterion the radius at failure may also fall, no faster than the
+/// centre rises, and rise faster; the entries are then lowered accordingly.
 class MohrRadiusTable {
  public:
   MohrRadiusTable() = default;
@@ -66,6 +67,19 @@ class MohrRadiusTable {
           static_cast<double>(first_) + static_cast<double>(step_) * static_cast<double>(i);
       radii_[i] = static_cast<float>(radius_at_failure(criterion, centre, step));
     }
+    if constexpr (OutOfPlaneCriterion<C>) lower_falling_radii();
+  }
+
+  // From the radii at the entries to lower bounds, from each entry to the next, on the least of the
+  // radius at a lower centre plus the distance from there. No bound for centres above the last.
+  void lower_falling_radii() {
+    float below = std::numeric_limits<float>::infinity();
+    for (float& radius : radii_) {
+      const float here = radius;
+      radius = std::min(here, below) - step_;
+      below = std::min(here, below + step_);
+    }
+    radii_[count - 2] = radii_[count - 1] = 0;
   }
 
   // By bisection, reduced by more than the round-off of the curve.
@@ -73,8 +87,8 @@ class MohrRadiusTable {
   [[nodiscard]] static double radius_at_failure(const C& criterion, double centre, double step) {
     const double tensile = criterion.tensile_strength();
     const auto intact = [&](double radius) {
-      const double minor = centre - radius;
-      return minor > -tensile && centre + radius < criterion.major_stress_at_failure(minor);
+      const auto [major, minor] = extreme_stresses(criterion, {centre + radius, centre - radius});
+      return minor > -tensile && major < criterion.major_stress_at_failure(minor);
     };
     if (!intact(0)) return 0;
     double low = 0;

@@ -14,6 +14,7 @@
 #include <riprap/stress/boundary_load.hpp>
 #include <riprap/stress/boundary_locator.hpp>
 #include <riprap/stress/influence_operator.hpp>
+#include <riprap/stress/largest_areas.hpp>
 #include <riprap/stress/nodal_shares.hpp>
 
 namespace riprap {
@@ -48,6 +49,7 @@ class InfluenceOperatorF32 {
 
   /// Number of sampling points.
   [[nodiscard]] std::size_t elements() const { return elements_; }
+  [[nodiscard]] const LargestAreas& areas() const { return areas_; }
   [[nodiscard]] const BoundaryLocator& locator() const { return locator_; }
 
   /// Stresses under `scale` times the loads. Throws InvalidInput for a load that is not on the
@@ -81,7 +83,7 @@ class InfluenceOperatorF32 {
 
   [[nodiscard]] std::size_t bytes() const {
     return sizeof(float) * (columns_.size() + 4 * products_.size() + largest_.size()) +
-           sizeof(Segment) * segments_.size() + locator_.bytes();
+           sizeof(Segment) * segments_.size() + areas_.bytes() + locator_.bytes();
   }
 
  private:
@@ -114,6 +116,7 @@ class InfluenceOperatorF32 {
   bool quadratic_ = false;  // shape functions of the sides
   std::size_t elements_ = 0;
   std::size_t stride_ = 0;
+  LargestAreas areas_;
   std::vector<float> columns_;      // of the components of ElementStressF32
   std::vector<AxisForm> products_;  // of two nodes each, the lower triangle row by row
   std::vector<float> largest_;      // component of the two columns of a node

@@ -33,7 +33,8 @@ namespace internal {
 
 RIPRAP_INLINE InfluenceOperatorF32::InfluenceOperatorF32(const InfluenceOperator& op)
     : locator_(op.locator()), quadratic_(!op.mesh().mid_sides.empty()),
-      elements_(op.sampling_points().size()), stride_((elements_ + pad - 1) / pad * pad) {
+      elements_(op.sampling_points().size()), stride_((elements_ + pad - 1) / pad * pad),
+      areas_(op.sampling_points()) {
   const Eigen::MatrixXd& exact = op.columns();
   const auto count = static_cast<std::size_t>(exact.cols());
   columns_.assign(3 * stride_ * count, 0);

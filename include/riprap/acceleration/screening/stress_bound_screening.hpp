@@ -150,7 +150,7 @@ class StressBoundScreening::State<BreakagePart, StressPart> {
       work.points.push_back(point);
     }
     op.find_stress(work.loads, scale, work.stress);
-    const std::size_t needed = input.breakage.trigger.failed_elements_needed(op.elements());
+    const std::size_t needed = failed_elements_needed(input.breakage.trigger, op.areas());
     const ScreeningResult result = work.screening(work.stress, needed);
     const bool may = result.possible >= needed;
     if (may)

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include <riprap/core/policy.hpp>
+#include <riprap/core/stress2.hpp>
 
 namespace riprap {
 
@@ -37,14 +38,33 @@ concept CriterionAngle = !requires(C& criterion, double minor) {
   { criterion.friction_angle(minor) } -> std::convertible_to<double>;
 };
 
+/// Optional: `criterion.extreme_stresses(in_plane)` [Pa]: the largest and the smallest of the three
+/// principal stresses, by which an element fails, from the two in the plane; else it fails by
+/// those. Screening relies on this: an element that is intact stays so if its minor stress in the
+/// plane rises up to the major one, or if both come closer by the same amount.
+template <class C>
+concept CriterionExtremes = !requires(C& criterion, PrincipalValues& in_plane) {
+  criterion.extreme_stresses(in_plane);
+} || requires(const C& criterion, const PrincipalValues& in_plane) {
+  { criterion.extreme_stresses(in_plane) } -> std::convertible_to<PrincipalValues>;
+};
+
 }  // namespace requirements
 
 /// A `Criterion` is a curve in the plane of the principal stresses, compression positive.
 ///
 /// Optional: `C::never_fails == true`, and the stress analysis is left out of the program.
 template <class C>
-concept Criterion = Policy<C> && requirements::CriterionCurve<C> &&
-                    requirements::CriterionTension<C> && requirements::CriterionAngle<C>;
+concept Criterion =
+    Policy<C> && requirements::CriterionCurve<C> && requirements::CriterionTension<C> &&
+    requirements::CriterionAngle<C> && requirements::CriterionExtremes<C>;
+
+/// A criterion by which an element may fail in planes that are inclined to its own.
+template <class C>
+concept OutOfPlaneCriterion =
+    Criterion<C> && requires(const C& criterion, const PrincipalValues& in_plane) {
+      criterion.extreme_stresses(in_plane);
+    };
 
 template <class C>
 consteval bool check_criterion() {
@@ -56,6 +76,9 @@ consteval bool check_criterion() {
   static_assert(requirements::CriterionAngle<C>,
                 "riprap: friction_angle of a Criterion must be double friction_angle(double "
                 "minor) const");
+  static_assert(requirements::CriterionExtremes<C>,
+                "riprap: extreme_stresses of a Criterion must be PrincipalValues "
+                "extreme_stresses(const PrincipalValues& in_plane) const");
   return Criterion<C>;
 }
 
@@ -67,6 +90,17 @@ inline constexpr bool never_fails = [] {
   else
     return false;
 }();
+
+/// The stresses by which an element fails [Pa]: those in the plane unless the criterion says
+/// otherwise.
+template <Criterion C>
+[[nodiscard]] PrincipalValues extreme_stresses(const C& criterion,
+                                               const PrincipalValues& in_plane) {
+  if constexpr (OutOfPlaneCriterion<C>)
+    return criterion.extreme_stresses(in_plane);
+  else
+    return in_plane;
+}
 
 /// Friction angle [rad] from the slope k = d sigma_1f / d sigma_3 of a failure curve:
 /// sin phi = (k - 1) / (k + 1).

@@ -25,6 +25,11 @@ struct CriterionChoice {
   [[nodiscard]] double friction_angle(double minor) const {
     return std::visit([minor](const auto& c) { return riprap::friction_angle(c, minor); }, chosen);
   }
+  [[nodiscard]] PrincipalValues extreme_stresses(const PrincipalValues& in_plane) const
+    requires(OutOfPlaneCriterion<Criteria> || ...)
+  {
+    return std::visit([&](const auto& c) { return riprap::extreme_stresses(c, in_plane); }, chosen);
+  }
   void validate() const {
     std::visit([](const auto& c) { riprap::validate(c); }, chosen);
   }

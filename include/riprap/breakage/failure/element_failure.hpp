@@ -56,10 +56,11 @@ namespace internal {
 /// Throws InvalidInput for a stress, or a strength of the criterion, that is not a number.
 template <Criterion C>
 [[nodiscard]] ElementFailure evaluate(const C& criterion, const Stress2& stress) {
-  const auto [major, minor] = stress.principal_values();
+  const PrincipalValues in_plane = stress.principal_values();
   // Any component that is not finite makes the difference NaN or infinite.
-  if (!(major - minor < std::numeric_limits<double>::infinity()))
+  if (!(in_plane.major - in_plane.minor < std::numeric_limits<double>::infinity()))
     internal::throw_not_finite(stress);
+  const auto [major, minor] = extreme_stresses(criterion, in_plane);
   const double tensile = criterion.tensile_strength();
   if (minor <= -tensile) return {FailureMode::tension, tensile / -minor};
   const double limit = criterion.major_stress_at_failure(minor);
@@ -91,7 +92,9 @@ struct FailurePlanes {
 };
 
 /// Eq. 6 and Fig. 2 put right: a tensile crack runs across the largest tension, along the major
-/// direction; shear planes lie at +-(pi/4 - phi/2) from the major direction.
+/// direction; shear planes lie at +-(pi/4 - phi/2) from the major direction. Where the smallest
+/// principal stress is that out of the plane, the shear planes are inclined to the plane and meet
+/// it across the major direction.
 template <Criterion C>
 [[nodiscard]] FailurePlanes failure_planes(const C& criterion, const Stress2& stress,
                                            FailureMode mode) {
@@ -101,6 +104,8 @@ template <Criterion C>
     planes.directions[0] = principal.major_direction;
     planes.count = 1;
   } else if (mode == FailureMode::shear) {
+    if (extreme_stresses(criterion, {principal.major, principal.minor}).minor < principal.minor)
+      return {{perpendicular(principal.major_direction), Vec2{1, 0}}, 1};
     const double off = std::numbers::pi / 4 - 0.5 * friction_angle(criterion, principal.minor);
     const Rotation turn = Rotation::from_angle(off);
     planes.directions[0] = turn * principal.major_direction;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Number of failed elements of a particle, and the ratio Rat.
+/// Number and area of the failed elements of a particle, and their ratios to the whole.
 
 #include <limits>
 
 #include <riprap/breakage/failure/element_failure.hpp>
 #include <riprap/stress/element/element_stress.hpp>
+#include <riprap/stress/sampling_points.hpp>
 
 namespace riprap {
 
@@ -20,21 +21,27 @@ struct FailureCount {
   /// history.
   double lowest_safety_factor = std::numeric_limits<double>::infinity();
   std::size_t first_failed = 0;
+  double failed_area = 0;  ///< that the failed sampling points stand for [m^2]; 0 if not asked for
+  double area = 0;         ///< of the particle [m^2]; 0 if not asked for
 
   /// Rat: failed elements over all elements [-].
   [[nodiscard]] double ratio() const {
     return elements == 0 ? 0 : static_cast<double>(failed) / static_cast<double>(elements);
   }
+  /// Failed area over the area of the particle [-].
+  [[nodiscard]] double area_ratio() const { return area == 0 ? 0 : failed_area / area; }
 };
 
-/// Evaluates the criterion at every sampling point. Throws InvalidInput for a stress that is not
-/// finite.
-template <Criterion C>
-[[nodiscard]] FailureCount count_failures(const C& criterion, const ElementStress& stress) {
+namespace internal {
+
+template <Criterion C, class OnFailed>
+[[nodiscard]] FailureCount count_failures(const C& criterion, const ElementStress& stress,
+                                          OnFailed&& on_failed) {
   FailureCount failures{.elements = stress.size()};
   for (std::size_t e = 0; e < stress.size(); ++e) {
     const ElementFailure element = evaluate(criterion, stress[e]);
     failures.failed += element.failed();
+    if (element.failed()) on_failed(e);
     // A failed element has at most 1, an intact one more: the lowest is a failed one if there is
     // any.
     if (element.safety_factor < failures.lowest_safety_factor) {
@@ -42,6 +49,28 @@ template <Criterion C>
       failures.first_failed = e;
     }
   }
+  return failures;
+}
+
+}  // namespace internal
+
+/// Evaluates the criterion at every sampling point; leaves the areas out. Throws InvalidInput for a
+/// stress that is not finite.
+template <Criterion C>
+[[nodiscard]] FailureCount count_failures(const C& criterion, const ElementStress& stress) {
+  return internal::count_failures(criterion, stress, [](std::size_t) {});
+}
+
+/// The same with the failed area.
+/// @param samples where `stress` is that of, @param area of the particle [m^2]
+template <Criterion C>
+[[nodiscard]] FailureCount count_failures(const C& criterion, const ElementStress& stress,
+                                          const SamplingPoints& samples, double area) {
+  double failed_area = 0;
+  FailureCount failures = internal::count_failures(
+      criterion, stress, [&](std::size_t e) { failed_area += samples.area(e); });
+  failures.failed_area = failed_area;
+  failures.area = area;
   return failures;
 }
 

@@ -10,6 +10,7 @@
 #include <riprap/breakage/failure/failure_count.hpp>
 #include <riprap/core/ids.hpp>
 #include <riprap/core/policy.hpp>
+#include <riprap/stress/largest_areas.hpp>
 
 namespace riprap {
 
@@ -43,18 +44,40 @@ concept TriggerNeeded = !requires(T& trigger, std::size_t elements) {
   { trigger.failed_elements_needed(elements) } -> std::convertible_to<std::size_t>;
 };
 
+/// Optional, in place of it: `trigger.failed_elements_needed(areas)`, for a trigger that decides
+/// from the failed area: with fewer failed sampling points, whichever they are, it never fires.
+template <class T>
+concept TriggerNeededOfAreas = !requires(T& trigger, LargestAreas& areas) {
+  trigger.failed_elements_needed(areas);
+} || requires(const T& trigger, const LargestAreas& areas) {
+  { trigger.failed_elements_needed(areas) } -> std::convertible_to<std::size_t>;
+};
+
 }  // namespace requirements
 
 /// A `Trigger` decides from the failed elements of one evaluation.
 template <class T>
 concept Trigger = Policy<T> && requirements::TriggerCall<T> && requirements::TriggerStrength<T> &&
-                  requirements::TriggerNeeded<T>;
+                  requirements::TriggerNeeded<T> && requirements::TriggerNeededOfAreas<T>;
 
 /// A trigger that says how many failed elements it needs: its particles can be screened.
 template <class T>
-concept ScreenableTrigger = Trigger<T> && requires(const T& trigger, std::size_t elements) {
-  trigger.failed_elements_needed(elements);
-};
+concept ScreenableTrigger =
+    Trigger<T> &&
+    (
+        requires(const T& trigger, std::size_t elements) {
+          trigger.failed_elements_needed(elements);
+        } || requires(const T& trigger,
+                      const LargestAreas& areas) { trigger.failed_elements_needed(areas); });
+
+/// The failed elements that a trigger needs in a particle with such sampling points.
+template <ScreenableTrigger T>
+[[nodiscard]] std::size_t failed_elements_needed(const T& trigger, const LargestAreas& areas) {
+  if constexpr (requires { trigger.failed_elements_needed(areas); })
+    return trigger.failed_elements_needed(areas);
+  else
+    return trigger.failed_elements_needed(areas.size());
+}
 
 template <class T>
 consteval bool check_trigger() {
@@ -67,6 +90,9 @@ consteval bool check_trigger() {
   static_assert(requirements::TriggerNeeded<T>,
                 "riprap: failed_elements_needed of a Trigger must be std::size_t "
                 "failed_elements_needed(std::size_t elements) const");
+  static_assert(requirements::TriggerNeededOfAreas<T>,
+                "riprap: failed_elements_needed of a Trigger must be std::size_t "
+                "failed_elements_needed(const LargestAreas&) const");
   return Trigger<T>;
 }
 

@@ -13,9 +13,11 @@ namespace riprap {
 
 /// Pins two contact points in both directions, one constraint more than needed: the force along the
 /// line that joins them follows from the distance between them being kept. The choice of the two
-/// changes the stress field by tens of per cent, and a particle with exactly two contacts is
-/// stress-free, for both forces are replaced by reactions, and never breaks; with fewer than two it
-/// cannot be held and is left unstressed.
+/// changes the stress field by tens of per cent.
+///
+/// A particle with exactly two contacts carries its loads at the pins: reactions take their place,
+/// its stress is zero, and it cannot fail at any load, between two platens for one. With fewer
+/// than two it cannot be held and is left unstressed.
 struct TwoPinnedContacts {
   /// Which two.
   enum class Choice { largest_normal_forces, farthest_apart };
