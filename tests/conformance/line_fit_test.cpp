@@ -106,6 +106,13 @@ TEST_CASE("a line fit that depends on place or unit of length is reported") {
       "in other units of length the line is the same");
 }
 
+TEST_CASE("a line fit that depends on the unit of stress is reported") {
+  check_violated(violations_of([](Line& line, auto points) {
+                   line.point += 1e-12 * points[0].stress.s11 * perpendicular(line.direction);
+                 }),
+                 "in other units of stress the line is the same");
+}
+
 TEST_CASE("a line fit that depends on the size of the weights or on order is reported") {
   check_violated(violations_of([](Line& line, auto points) {
                    line.point += 1e-6 * points[0].weight * perpendicular(line.direction);

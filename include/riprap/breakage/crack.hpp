@@ -15,6 +15,7 @@
 #include <riprap/geometry/cut.hpp>
 #include <riprap/particle/body.hpp>
 #include <riprap/stress/element/element_stress.hpp>
+#include <riprap/stress/mean_stress.hpp>
 #include <riprap/stress/sampling_points.hpp>
 
 namespace riprap {
@@ -27,7 +28,8 @@ struct Crack {
   CutRings pieces;
 };
 
-/// Failed sampling points of the elements with their weights 1/SF, in laboratory axes.
+/// Failed sampling points of the elements with their weights 1/SF, areas and stresses, in
+/// laboratory axes.
 template <Criterion C>
 [[nodiscard]] std::vector<WeightedPoint>
 failed_points(const C& criterion, const SamplingPoints& samples, const ElementStress& stress,
@@ -36,7 +38,8 @@ failed_points(const C& criterion, const SamplingPoints& samples, const ElementSt
   for (std::size_t e = 0; e < stress.size(); ++e) {
     const ElementFailure element = evaluate(criterion, stress[e]);
     if (element.failed())
-      points.push_back({body.position + body.rotation * samples.position(e), element.weight()});
+      points.push_back({body.position + body.rotation * samples.position(e), element.weight(),
+                        samples.area(e), stress[e].rotated(body.rotation)});
   }
   return points;
 }
@@ -73,7 +76,8 @@ find_crack(const BreakagePart& model, const FailureCount& failures, const Sampli
   const FailurePlanes planes =
       failure_planes(model.criterion, first.rotated(body.rotation), crack.mode);
   const auto points = failed_points(model.criterion, samples, stress, body);
-  const std::optional<Line> line = model.line_fit(std::span<const WeightedPoint>(points), planes);
+  const std::optional<Line> line =
+      fit_line(model.line_fit, points, planes, mean_stress(samples, stress).rotated(body.rotation));
   if (!line) return std::nullopt;
   crack.line = *line;
   std::optional<CutRings> pieces = model.splitter(ring, *line, mean_area);

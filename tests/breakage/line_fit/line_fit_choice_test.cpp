@@ -34,11 +34,12 @@ void check_same(const Fit& fit) {
   FailurePlanes planes;
   planes.directions[0] = Vec2{0.1, 1}.normalized();
   planes.count = 1;
+  const Stress2 mean{-1, 3, 0.5};
   const LineFitChoice<WeightedXY, WeightedX, WeightedY, AlongPlane> choice{fit};
   for (const Cloud& cloud :
        {three_points(), scattered_points(), Cloud{{{2, 0}, 1}, {{2, 1}, 1}}, Cloud{}}) {
-    const auto chosen = choice(cloud, planes);
-    const auto direct = fit(std::span<const WeightedPoint>(cloud), planes);
+    const auto chosen = choice(cloud, planes, mean);
+    const auto direct = fit_line(fit, cloud, planes, mean);
     REQUIRE(chosen.has_value() == direct.has_value());
     if (!chosen) continue;
     CHECK(chosen->point == direct->point);
