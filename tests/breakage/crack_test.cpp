@@ -8,6 +8,7 @@
 
 #include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/breakage/line_fit/failure_plane_through_centroid.hpp>
+#include <riprap/breakage/line_fit/mean_tension_line.hpp>
 #include <riprap/breakage/line_fit/no_line.hpp>
 #include <riprap/breakage/line_fit/total_least_squares.hpp>
 #include <riprap/breakage/splitter/straight_cut.hpp>
@@ -118,14 +119,17 @@ TEST_CASE("a particle torn in its middle splits there, whatever its pose") {
       // first of them. The cells lean one way: a few degrees for the cloud.
       const auto cloud = crack_of(Breakage<TotalLeastSquares>{}, body, 4);
       const auto plane = crack_of(Breakage<FailurePlaneThroughCentroid>{}, body, 4);
+      const auto tension = crack_of(Breakage<MeanTensionLine>{}, body, 4);
       const auto mean = crack_of(Breakage<AlongMeanStress>{}, body, 4);
       REQUIRE(cloud);
       REQUIRE(plane);
+      REQUIRE(tension);
       REQUIRE(mean);
+      CHECK(off_angle(tension->line.direction, across_tension) == near(0, 1e-13));
       CHECK(off_angle(mean->line.direction, across_tension) == near(0, 1e-13));
       CHECK(off_angle(cloud->line.direction, across_tension) < 0.06);
       CHECK(off_angle(plane->line.direction, across_tension) == near(0, 1e-13));
-      for (const Crack& crack : {*cloud, *plane}) {
+      for (const Crack& crack : {*cloud, *plane, *tension}) {
         CHECK(crack.mode == FailureMode::tension);
         CHECK(crack.failures.failed == 16);
         CHECK(crack.failures.ratio() == 0.5);
