@@ -119,8 +119,10 @@ void add_breakage(OptionTable& table, Options& o) {
   add_criterion(table, o);
   table.add_number("--ratf", o.trigger.critical, "FailedElementRatio.critical",
                    "share of failed elements that breaks a particle [-]");
-  table.add_choice("--line-fit", o.line_fit, {"xy", "x", "y"},
-                   "crack line: weighted X, Y, or the paper's choice");
+  table.add_choice("--line-fit", o.line_fit,
+                   {"xy", "x", "y", "xy-mean-stress", "mean-tension", "tls", "plane"},
+                   "crack line: the paper's choice, weighted X, Y, the choice by the mean stress, "
+                   "across the mean tension, total least squares, failure plane");
   table.add_number("--minimum-piece-area", o.splitter.minimum_area, "StraightCut.minimum_area",
                    "over the mean area of the intact particles [-]");
   table.add_number("--maximum-piece-aspect", o.splitter.maximum_aspect,

@@ -16,6 +16,10 @@ AnyCriterion chosen_criterion(const Options& options) {
 AnyLineFit chosen_line_fit(const Options& options) {
   if (options.line_fit == "x") return {riprap::WeightedX{}};
   if (options.line_fit == "y") return {riprap::WeightedY{}};
+  if (options.line_fit == "xy-mean-stress") return {riprap::WeightedXYByMeanStress{}};
+  if (options.line_fit == "mean-tension") return {riprap::MeanTensionLine{}};
+  if (options.line_fit == "tls") return {riprap::TotalLeastSquares{}};
+  if (options.line_fit == "plane") return {riprap::FailurePlaneThroughCentroid{}};
   return {riprap::WeightedXY{}};
 }
 

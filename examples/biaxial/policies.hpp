@@ -20,7 +20,10 @@
 using AnyCriterion = riprap::CriterionChoice<riprap::HoekBrown, riprap::MohrCoulomb,
                                              riprap::Griffith, riprap::ModifiedGriffith,
                                              riprap::Murrell, riprap::Hobbs, riprap::Franklin>;
-using AnyLineFit = riprap::LineFitChoice<riprap::WeightedXY, riprap::WeightedX, riprap::WeightedY>;
+using AnyLineFit =
+    riprap::LineFitChoice<riprap::WeightedXY, riprap::WeightedX, riprap::WeightedY,
+                          riprap::WeightedXYByMeanStress, riprap::MeanTensionLine,
+                          riprap::TotalLeastSquares, riprap::FailurePlaneThroughCentroid>;
 using AnyContact = riprap::ContactLawChoice<riprap::LinearSpringCoulomb, riprap::OverlapAreaSpring,
                                             riprap::SpringDashpot>;
 using AnyIntegrator = riprap::IntegratorChoice<riprap::SymplecticEuler, riprap::VelocityVerlet>;

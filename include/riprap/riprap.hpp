@@ -15,8 +15,10 @@
 #include <riprap/breakage/criterion/three_principal_stresses.hpp>
 #include <riprap/breakage/inheritance/at_rest.hpp>
 #include <riprap/breakage/line_fit/failure_plane_through_centroid.hpp>
+#include <riprap/breakage/line_fit/mean_tension_line.hpp>
 #include <riprap/breakage/line_fit/no_line.hpp>
 #include <riprap/breakage/line_fit/total_least_squares.hpp>
+#include <riprap/breakage/line_fit/weighted_xy_by_mean_stress.hpp>
 #include <riprap/breakage/splitter/no_split.hpp>
 #include <riprap/breakage/trigger/any_element.hpp>
 #include <riprap/breakage/trigger/calibrated_limit.hpp>

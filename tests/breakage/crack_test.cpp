@@ -9,6 +9,7 @@
 
 #include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/breakage/line_fit/failure_plane_through_centroid.hpp>
+#include <riprap/breakage/line_fit/mean_tension_line.hpp>
 #include <riprap/breakage/line_fit/no_line.hpp>
 #include <riprap/breakage/line_fit/total_least_squares.hpp>
 #include <riprap/breakage/splitter/straight_cut.hpp>
@@ -63,6 +64,16 @@ std::vector<Vec2> square_ring(const Body& body) {
   return ring;
 }
 
+// Through the first failed element, along the major direction of the mean stress.
+struct AlongMeanStress {
+  Line operator()(std::span<const WeightedPoint> points, const FailurePlanes&,
+                  const Stress2& mean) const {
+    // Half of the particle is under 24 MPa; the worst element has a little more.
+    CHECK(mean.principal_values().minor == near_relative(-12_MPa, 1e-5));
+    return {points[0].position, mean.principal().major_direction};
+  }
+};
+
 template <class Fit>
 struct Breakage {
   HoekBrown criterion{};
@@ -94,6 +105,10 @@ TEST_CASE("points of the line fit are the centroids of failed elements with thei
           near(0, 1e-14));
     // Twice the tensile strength of 12 MPa.
     CHECK(points[k].weight == near(2, e == worst ? 1e-3 : 1e-14));
+    CHECK(points[k].area == 0.125);
+    const PrincipalStress principal = points[k].stress.principal();
+    CHECK(principal.minor == near_relative(e == worst ? -24.001_MPa : -24_MPa, 1e-14));
+    CHECK(off_angle(principal.major_direction, body.rotation * Vec2{0, 1}) == near(0, 1e-14));
     ++k;
   }
 }
@@ -108,11 +123,17 @@ TEST_CASE("a particle torn in its middle splits there, whatever its pose") {
       // first of them. The cells lean one way: a few degrees for the cloud.
       const auto cloud = crack_of(Breakage<TotalLeastSquares>{}, body, 4);
       const auto plane = crack_of(Breakage<FailurePlaneThroughCentroid>{}, body, 4);
+      const auto tension = crack_of(Breakage<MeanTensionLine>{}, body, 4);
+      const auto mean = crack_of(Breakage<AlongMeanStress>{}, body, 4);
       REQUIRE(cloud);
       REQUIRE(plane);
+      REQUIRE(tension);
+      REQUIRE(mean);
+      CHECK(off_angle(tension->line.direction, across_tension) == near(0, 1e-13));
+      CHECK(off_angle(mean->line.direction, across_tension) == near(0, 1e-13));
       CHECK(off_angle(cloud->line.direction, across_tension) < 0.06);
       CHECK(off_angle(plane->line.direction, across_tension) == near(0, 1e-13));
-      for (const Crack& crack : {*cloud, *plane}) {
+      for (const Crack& crack : {*cloud, *plane, *tension}) {
         CHECK(crack.mode == FailureMode::tension);
         CHECK(crack.failures.failed == 16);
         CHECK(crack.failures.ratio() == 0.5);

@@ -7,10 +7,12 @@
 
 #include <riprap/breakage/line_fit/failure_plane_through_centroid.hpp>
 #include <riprap/breakage/line_fit/line_fit_choice.hpp>
+#include <riprap/breakage/line_fit/mean_tension_line.hpp>
 #include <riprap/breakage/line_fit/no_line.hpp>
 #include <riprap/breakage/line_fit/total_least_squares.hpp>
 #include <riprap/breakage/line_fit/weighted_x.hpp>
 #include <riprap/breakage/line_fit/weighted_xy.hpp>
+#include <riprap/breakage/line_fit/weighted_xy_by_mean_stress.hpp>
 #include <riprap/breakage/line_fit/weighted_y.hpp>
 #include <riprap/conformance/line_fit.hpp>
 
@@ -28,7 +30,7 @@ struct AlongBedding {
   }
 };
 
-using Choice = LineFitChoice<TotalLeastSquares, WeightedXY, NoLine>;
+using Choice = LineFitChoice<TotalLeastSquares, WeightedXY, WeightedXYByMeanStress, NoLine>;
 
 /// The principal axis, spoilt by `change`.
 template <class Change>
@@ -55,9 +57,12 @@ TEST_CASE("the line fits of riprap obey the axioms") {
   CHECK(to_text(line_fit_violations(WeightedY{})) == "");
   CHECK(to_text(line_fit_violations(TotalLeastSquares{})) == "");
   CHECK(to_text(line_fit_violations(FailurePlaneThroughCentroid{})) == "");
+  CHECK(to_text(line_fit_violations(MeanTensionLine{})) == "");
+  CHECK(to_text(line_fit_violations(WeightedXYByMeanStress{})) == "");
   CHECK(to_text(line_fit_violations(NoLine{})) == "");
   CHECK(to_text(line_fit_violations(Choice{TotalLeastSquares{}})) == "");
   CHECK(to_text(line_fit_violations(Choice{WeightedXY{}})) == "");
+  CHECK(to_text(line_fit_violations(Choice{WeightedXYByMeanStress{}})) == "");
   CHECK(to_text(line_fit_violations(Choice{NoLine{}})) == "");
 }
 
@@ -69,23 +74,27 @@ TEST_CASE("least squares are exact on points on a straight line, given direction
   CHECK(to_text(line_fit_collinear_violations(WeightedXY{})) == "");
   CHECK(to_text(line_fit_collinear_violations(WeightedX{})) == "");
   CHECK(to_text(line_fit_collinear_violations(WeightedY{})) == "");
+  CHECK(to_text(line_fit_collinear_violations(WeightedXYByMeanStress{})) == "");
   CHECK(to_text(line_fit_collinear_violations(TotalLeastSquares{})) == "");
   CHECK(to_text(line_fit_collinear_violations(NoLine{})) == "");
   CHECK(to_text(line_fit_collinear_violations(Choice{WeightedXY{}})) == "");
   const std::string_view exact = "points on a straight line lie on their line";
   check_violated(line_fit_collinear_violations(FailurePlaneThroughCentroid{}), exact);
+  check_violated(line_fit_collinear_violations(MeanTensionLine{}), exact);
   check_violated(line_fit_collinear_violations(AlongBedding{}), exact);
 }
 
 TEST_CASE("fits without preferred axes turn with the points, those of X and Y do not") {
   CHECK(to_text(line_fit_rotation_violations(TotalLeastSquares{})) == "");
   CHECK(to_text(line_fit_rotation_violations(FailurePlaneThroughCentroid{})) == "");
+  CHECK(to_text(line_fit_rotation_violations(MeanTensionLine{})) == "");
   CHECK(to_text(line_fit_rotation_violations(NoLine{})) == "");
   CHECK(to_text(line_fit_rotation_violations(Choice{TotalLeastSquares{}})) == "");
   const std::string_view turned = "turned points have the turned line";
   check_violated(line_fit_rotation_violations(WeightedXY{}), turned);
   check_violated(line_fit_rotation_violations(WeightedX{}), turned);
   check_violated(line_fit_rotation_violations(WeightedY{}), turned);
+  check_violated(line_fit_rotation_violations(WeightedXYByMeanStress{}), turned);
   check_violated(line_fit_rotation_violations(Choice{WeightedXY{}}), turned);
   check_violated(line_fit_rotation_violations(AlongBedding{}), turned);
 }
@@ -104,6 +113,13 @@ TEST_CASE("a line fit that depends on place or unit of length is reported") {
   check_violated(
       violations_of([](Line& line, auto) { line.point += 1e-3 * perpendicular(line.direction); }),
       "in other units of length the line is the same");
+}
+
+TEST_CASE("a line fit that depends on the unit of stress is reported") {
+  check_violated(violations_of([](Line& line, auto points) {
+                   line.point += 1e-12 * points[0].stress.s11 * perpendicular(line.direction);
+                 }),
+                 "in other units of stress the line is the same");
 }
 
 TEST_CASE("a line fit that depends on the size of the weights or on order is reported") {

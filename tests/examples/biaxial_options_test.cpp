@@ -268,3 +268,19 @@ TEST_CASE("the spring of the overlap area keeps its stiffness at a chord of the 
   CHECK(o.area.largest_chord == 0.032);
   CHECK(o.area.area_stiffness == riprap::OverlapAreaSpring{}.area_stiffness / 4);
 }
+
+TEST_CASE("each name of a line fit stands for one") {
+  const auto stands_for = [](const std::string& name, auto fit) {
+    const AnyLineFit chosen = chosen_line_fit(options_from({"--line-fit", name}));
+    CHECK_MESSAGE(std::holds_alternative<decltype(fit)>(chosen.chosen), name);
+  };
+  stands_for("xy", riprap::WeightedXY{});
+  stands_for("x", riprap::WeightedX{});
+  stands_for("y", riprap::WeightedY{});
+  stands_for("xy-mean-stress", riprap::WeightedXYByMeanStress{});
+  stands_for("mean-tension", riprap::MeanTensionLine{});
+  stands_for("tls", riprap::TotalLeastSquares{});
+  stands_for("plane", riprap::FailurePlaneThroughCentroid{});
+  CHECK(std::holds_alternative<riprap::WeightedXY>(chosen_line_fit(options_from({})).chosen));
+  CHECK(contains(refusal({"--line-fit", "z"}), "--line-fit: "));
+}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // riprap: a LineFit must have std::optional<Line> operator()(std::span<const WeightedPoint>, const
-// FailurePlanes&) const
+// FailurePlanes&[, const Stress2&]) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;
 

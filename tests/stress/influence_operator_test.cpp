@@ -5,6 +5,7 @@
 
 #include <riprap/stress/assemble_and_solve.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
+#include <riprap/stress/mean_stress.hpp>
 #include <riprap/stress/plane_state/plane_strain.hpp>
 #include <riprap/stress/plane_state/plane_stress.hpp>
 #include <support/brazilian_disc.hpp>
@@ -128,7 +129,7 @@ TEST_CASE("the mean stress of a particle in equilibrium is the sum of force time
     test::balance(loads, mesh);
     const ElementStress stress = stress_of(operator_of(mesh), loads);
     const double largest = stress.values().cwiseAbs().maxCoeff();
-    const Stress2 mean = test::mean_stress(mesh, stress);
+    const Stress2 mean = mean_stress(mesh, stress);
     CHECK(difference(mean, expected_mean(polygon.ring(), mesh, loads)) <= round_off * largest);
   }
 }
@@ -141,7 +142,7 @@ TEST_CASE("with a net force and moment the inertia of the particle joins in the 
     const auto loads = test::random_loads(mesh, random.uniform_integer(1, 6), random);
     const ElementStress stress = stress_of(operator_of<PlaneStrain>(mesh), loads);
     const double largest = stress.values().cwiseAbs().maxCoeff();
-    const Stress2 mean = test::mean_stress(mesh, stress);
+    const Stress2 mean = mean_stress(mesh, stress);
     CHECK(difference(mean, expected_mean(polygon.ring(), mesh, loads)) <= round_off * largest);
   }
 }

@@ -82,17 +82,6 @@ inline void balance(std::span<BoundaryLoad> loads, const Mesh& mesh) {
          expected.values().cwiseAbs().maxCoeff();
 }
 
-/// The mean over the area of the mesh.
-[[nodiscard]] inline Stress2 mean_stress(const Mesh& mesh, const ElementStress& stress) {
-  double area = 0;
-  Stress2 sum;
-  for (std::size_t e = 0; e < mesh.size(); ++e) {
-    area += mesh.area(e);
-    sum += mesh.area(e) * stress[e];
-  }
-  return (1 / area) * sum;
-}
-
 /// Nodes turned about the origin; the triangles keep their numbers.
 [[nodiscard]] inline Mesh turned(Mesh mesh, const Rotation& rotation) {
   for (Vec2& x : mesh.nodes) x = rotation * x;

@@ -16,6 +16,7 @@
 #include <riprap/geometry/cut.hpp>
 #include <riprap/particle/body.hpp>
 #include <riprap/stress/element/element_stress.hpp>
+#include <riprap/stress/mean_stress.hpp>
 #include <riprap/stress/sampling_points.hpp>
 
 namespace riprap {
@@ -28,8 +29,8 @@ struct Crack {
   CutRings pieces;
 };
 
-/// Failed sampling points of the elements with their weights 1/SF, in laboratory axes. Throws
-/// InvalidInput if there are more or fewer sampling points than stresses.
+/// Failed sampling points of the elements with their weights 1/SF, areas and stresses, in
+/// laboratory axes. Throws InvalidInput if there are more or fewer sampling points than stresses.
 template <Criterion C>
 [[nodiscard]] std::vector<WeightedPoint>
 failed_points(const C& criterion, const SamplingPoints& samples, const ElementStress& stress,
@@ -40,7 +41,8 @@ failed_points(const C& criterion, const SamplingPoints& samples, const ElementSt
   for (std::size_t e = 0; e < stress.size(); ++e) {
     const ElementFailure element = evaluate(criterion, stress[e]);
     if (element.failed())
-      points.push_back({body.position + body.rotation * samples.position(e), element.weight()});
+      points.push_back({body.position + body.rotation * samples.position(e), element.weight(),
+                        samples.area(e), stress[e].rotated(body.rotation)});
   }
   return points;
 }
@@ -78,7 +80,8 @@ find_crack(const BreakagePart& model, const FailureCount& failures, const Sampli
   const FailurePlanes planes =
       failure_planes(model.criterion, first.rotated(body.rotation), crack.mode);
   const auto points = failed_points(model.criterion, samples, stress, body);
-  const std::optional<Line> line = model.line_fit(std::span<const WeightedPoint>(points), planes);
+  const std::optional<Line> line =
+      fit_line(model.line_fit, points, planes, mean_stress(samples, stress).rotated(body.rotation));
   if (!line) return std::nullopt;
   crack.line = *line;
   std::optional<CutRings> pieces = model.splitter(ring, *line, mean_area);

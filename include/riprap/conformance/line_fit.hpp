@@ -18,28 +18,41 @@
 namespace riprap {
 namespace internal {
 
-/// Failed elements and the failure planes of the first one.
+/// Failed elements, the failure planes of the first one and the mean stress of the particle.
 struct FailedCloud {
   std::vector<WeightedPoint> points;
   FailurePlanes planes;
+  Stress2 mean_stress;
 
   /// The same in a plane that was turned, drawn larger and shifted, in this order.
   [[nodiscard]] FailedCloud moved(const Rotation& turn, double scale, const Vec2& shift) const {
     FailedCloud out = *this;
-    for (WeightedPoint& p : out.points) p.position = scale * (turn * p.position) + shift;
+    for (WeightedPoint& p : out.points) {
+      p.position = scale * (turn * p.position) + shift;
+      p.area *= scale * scale;
+      p.stress = p.stress.rotated(turn);
+    }
     for (Vec2& direction : out.planes.directions) direction = turn * direction;
+    out.mean_stress = mean_stress.rotated(turn);
     return out;
   }
   template <LineFit F>
   [[nodiscard]] std::optional<Line> line(const F& fit) const {
-    return fit(std::span<const WeightedPoint>(points), planes);
+    return fit_line(fit, points, planes, mean_stress);
   }
 };
 
-/// Clouds of about 1 m with random weights and failure planes.
+/// Tension of 1 to 20 MPa along `direction` under up to 10 MPa across it.
+[[nodiscard]] inline Stress2 random_tension(const Rotation& direction, Random& random) {
+  return Stress2{-1e6 * random.uniform(1, 20), 1e6 * random.uniform(0, 10), 0}.rotated(direction);
+}
+
+/// Clouds of about 1 m with random weights, failure planes, areas and tensions; those of a cloud
+/// are alike.
 /// @param slimness width over length: 0 for points on a straight line
 [[nodiscard]] inline std::vector<FailedCloud> failed_clouds(double slimness) {
   Random random(1);
+  Random stresses(2);
   std::vector<FailedCloud> clouds;
   for (int i = 0; i < 50; ++i) {
     FailedCloud cloud;
@@ -51,6 +64,13 @@ struct FailedCloud {
     const Rotation plane = Rotation::from_angle(random.uniform(0, 3));
     cloud.planes.count = random.uniform_integer(1, 2);
     cloud.planes.directions = {plane * Vec2{1, 0}, plane * Vec2{0.6, 0.8}};
+    const double tension = stresses.uniform(0, 3);
+    for (WeightedPoint& p : cloud.points) {
+      p.area = stresses.uniform(0.01, 0.03);
+      const double off = stresses.uniform(-0.7, 0.7);
+      p.stress = random_tension(Rotation::from_angle(tension + off), stresses);
+    }
+    cloud.mean_stress = random_tension(Rotation::from_angle(tension), stresses);
     clouds.push_back(cloud);
   }
   return clouds;
@@ -92,6 +112,11 @@ void check_line(const F& fit, const FailedCloud& cloud, AxiomCheck& check) {
   FailedCloud other = cloud;
   for (WeightedPoint& p : other.points) p.weight *= 3;
   check_same_line("only the ratios of the weights matter", other.line(fit), line, 1, check);
+
+  other = cloud;
+  for (WeightedPoint& p : other.points) p.stress = 1e-6 * p.stress;
+  other.mean_stress = 1e-6 * other.mean_stress;
+  check_same_line("in other units of stress the line is the same", other.line(fit), line, 1, check);
 
   other = cloud;
   std::reverse(other.points.begin(), other.points.end());

@@ -14,6 +14,7 @@
 #include <riprap/breakage/crack.hpp>
 #include <riprap/breakage/failure/failure_count.hpp>
 #include <riprap/stress/element/element_stress.hpp>
+#include <riprap/stress/mean_stress.hpp>
 #include <riprap/stress/mesher/mesh.hpp>
 #include <riprap/stress/sampling_points.hpp>
 
@@ -74,8 +75,9 @@ template <Criterion C, LineFit F>
   const std::size_t first = result.failures.first_failed;
   const FailurePlanes planes =
       failure_planes(criterion, result.stress[first], result.elements[first].mode);
-  const auto points = failed_points(criterion, result.sampling_points(), result.stress, Body{});
-  return fit(std::span<const WeightedPoint>(points), planes);
+  const SamplingPoints samples = result.sampling_points();
+  const auto points = failed_points(criterion, samples, result.stress, Body{});
+  return fit_line(fit, points, planes, mean_stress(samples, result.stress));
 }
 
 }  // namespace riprap

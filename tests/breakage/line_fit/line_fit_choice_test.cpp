@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include <riprap/breakage/line_fit/weighted_xy.hpp>
+#include <riprap/breakage/line_fit/weighted_xy_by_mean_stress.hpp>
 #include <support/point_clouds.hpp>
 
 using namespace riprap;
@@ -34,11 +34,13 @@ void check_same(const Fit& fit) {
   FailurePlanes planes;
   planes.directions[0] = Vec2{0.1, 1}.normalized();
   planes.count = 1;
-  const LineFitChoice<WeightedXY, WeightedX, WeightedY, AlongPlane> choice{fit};
+  const Stress2 mean{-1, 3, 0.5};
+  const LineFitChoice<WeightedXY, WeightedX, WeightedY, AlongPlane, WeightedXYByMeanStress> choice{
+      fit};
   for (const Cloud& cloud :
        {three_points(), scattered_points(), Cloud{{{2, 0}, 1}, {{2, 1}, 1}}, Cloud{}}) {
-    const auto chosen = choice(cloud, planes);
-    const auto direct = fit(std::span<const WeightedPoint>(cloud), planes);
+    const auto chosen = choice(cloud, planes, mean);
+    const auto direct = fit_line(fit, cloud, planes, mean);
     REQUIRE(chosen.has_value() == direct.has_value());
     if (!chosen) continue;
     CHECK(chosen->point == direct->point);
@@ -53,4 +55,5 @@ TEST_CASE("a chosen line fit gives the same bits as the fit itself") {
   check_same(WeightedX{});
   check_same(WeightedY{});
   check_same(AlongPlane{});
+  check_same(WeightedXYByMeanStress{});
 }

@@ -6,6 +6,7 @@
 
 #include <riprap/stress/assemble_and_solve.hpp>
 #include <riprap/stress/element/constant_strain_triangle.hpp>
+#include <riprap/stress/mean_stress.hpp>
 #include <riprap/stress/plane_state/plane_strain.hpp>
 #include <riprap/stress/plane_state/plane_stress.hpp>
 #include <support/loaded_particle.hpp>
@@ -133,7 +134,7 @@ TEST_CASE("with the reactions of the pins the mean stress is the sum of force ti
       sum -= load.force_body * mesh.position(load.at).transpose();
     for (std::size_t e = 0; e < mesh.size(); ++e) area += mesh.area(e);
     const ElementStress stress = stress_of(op, loads);
-    const Stress2 mean = test::mean_stress(mesh, stress);
+    const Stress2 mean = mean_stress(mesh, stress);
     // Condition numbers of 1e4 or so, times the unit round-off, times some tens of operations.
     const double tolerance = 1e-10 * stress.values().cwiseAbs().maxCoeff();
     CHECK(std::abs(mean.s11 - sum(0, 0) / (area * thickness)) <= tolerance);

@@ -9,14 +9,17 @@
 
 #include <riprap/breakage/failure/element_failure.hpp>
 #include <riprap/core/policy.hpp>
+#include <riprap/core/stress2.hpp>
 #include <riprap/geometry/cut.hpp>
 
 namespace riprap {
 
-/// Failed sampling point of an element, [m], and its weight 1/SF.
+/// Failed sampling point of an element, in laboratory axes.
 struct WeightedPoint {
-  Vec2 position{0, 0};
-  double weight = 1;
+  Vec2 position{0, 0};  ///< [m]
+  double weight = 1;    ///< 1/SF
+  double area = 1;      ///< that the point stands for [m^2]
+  Stress2 stress{};     ///< [Pa], compression positive
 };
 
 namespace requirements {
@@ -25,10 +28,21 @@ namespace requirements {
 /// failed elements only, in laboratory axes; `planes` are the failure planes of the first failed
 /// element, by which a fit may choose between lines. Const, for one fit serves all particles.
 template <class F>
-concept LineFitCall = requires(const F& fit, const std::span<const WeightedPoint> points,
-                               const FailurePlanes& planes) {
+concept LineFitByPlanes = requires(const F& fit, const std::span<const WeightedPoint> points,
+                                   const FailurePlanes& planes) {
   { fit(points, planes) } -> std::convertible_to<std::optional<Line>>;
 };
+
+/// `fit(points, planes, mean_stress)` in its place: the mean stress of the particle as well [Pa],
+/// in laboratory axes. A fit that has both calls gets the mean stress.
+template <class F>
+concept LineFitByMeanStress = requires(const F& fit, const std::span<const WeightedPoint> points,
+                                       const FailurePlanes& planes, const Stress2& mean_stress) {
+  { fit(points, planes, mean_stress) } -> std::convertible_to<std::optional<Line>>;
+};
+
+template <class F>
+concept LineFitCall = LineFitByPlanes<F> || LineFitByMeanStress<F>;
 
 }  // namespace requirements
 
@@ -41,8 +55,19 @@ consteval bool check_line_fit() {
   check_policy<F>();
   static_assert(requirements::LineFitCall<F>,
                 "riprap: a LineFit must have std::optional<Line> operator()(std::span<const "
-                "WeightedPoint>, const FailurePlanes&) const");
+                "WeightedPoint>, const FailurePlanes&[, const Stress2&]) const");
   return LineFit<F>;
+}
+
+/// The line of a fit, which is told the mean stress of the particle if it takes it.
+template <LineFit F>
+[[nodiscard]] std::optional<Line> fit_line(const F& fit, std::span<const WeightedPoint> points,
+                                           const FailurePlanes& planes,
+                                           const Stress2& mean_stress) {
+  if constexpr (requirements::LineFitByMeanStress<F>)
+    return fit(points, planes, mean_stress);
+  else
+    return fit(points, planes);
 }
 
 }  // namespace riprap

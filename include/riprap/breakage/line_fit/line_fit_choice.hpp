@@ -9,14 +9,16 @@
 
 namespace riprap {
 
-/// Holds one of several line fits and passes the points on to it.
+/// Holds one of several line fits and passes the points on to it. Fits that take no mean stress do
+/// without.
 template <LineFit... Fits>
 struct LineFitChoice {
   std::variant<Fits...> chosen;
 
   [[nodiscard]] std::optional<Line> operator()(std::span<const WeightedPoint> points,
-                                               const FailurePlanes& planes) const {
-    return std::visit([&](const auto& fit) -> std::optional<Line> { return fit(points, planes); },
+                                               const FailurePlanes& planes,
+                                               const Stress2& mean_stress) const {
+    return std::visit([&](const auto& fit) { return fit_line(fit, points, planes, mean_stress); },
                       chosen);
   }
 };
