@@ -101,7 +101,7 @@ TEST_CASE("with sampling points the failed area is counted") {
   mesh.nodes = {{0, 0}, {3, 0}, {3, 2}, {0, 4}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};  // of areas 3 and 6
   const auto stress = elements({crushed(1.5), crushed(0.5)});
-  const FailureCount failures = count_failures(HoekBrown{}, stress, mesh, 9);
+  const FailureCount failures = count_failures(HoekBrown{}, stress, SamplingPoints(mesh), 9);
   CHECK(failures.failed == 1);
   CHECK(failures.first_failed == 1);
   CHECK(failures.failed_area == 6);

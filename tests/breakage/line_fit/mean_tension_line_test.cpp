@@ -66,7 +66,7 @@ TEST_CASE("under uniform tension the line runs across it, on any mesh, in any po
     Body body;
     body.rotation = Rotation::from_angle(turn);
     body.position = {30, -20};
-    const auto line = fit(failed_points(HoekBrown{}, mesh, stress, body));
+    const auto line = fit(failed_points(HoekBrown{}, SamplingPoints(mesh), stress, body));
     REQUIRE(line);
     CHECK(line->direction.norm() == near(1, 1e-15));
     // Half of the angle of a vector that is rounded in its last digits.

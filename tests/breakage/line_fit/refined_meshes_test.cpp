@@ -63,9 +63,9 @@ BreakingParticle breaking(const Mesh& mesh, const std::vector<PointForce>& force
   }
   stress.values() = high * unit.values();
   const Stress2 first = stress[count_failures(HoekBrown{}, stress).first_failed];
-  return {failed_points(HoekBrown{}, mesh, stress, Body{}),
+  return {failed_points(HoekBrown{}, SamplingPoints(mesh), stress, Body{}),
           failure_planes(HoekBrown{}, first, evaluate(HoekBrown{}, first).mode),
-          mean_stress(mesh, stress)};
+          mean_stress(SamplingPoints(mesh), stress)};
 }
 
 // Three forces through the origin that balance each other, at random places around the polygon.
