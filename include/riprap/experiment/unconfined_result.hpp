@@ -50,7 +50,7 @@ struct UnconfinedResult {
   [[nodiscard]] SamplingPoints sampling_points() const& {
     return SamplingPoints(mesh, sampling_rule);
   }
-  SamplingPoints sampling_points() const&& = delete;  // would outlive the mesh
+  [[nodiscard]] SamplingPoints sampling_points() const&& = delete;  // would outlive the mesh
   /// Rat [-].
   [[nodiscard]] double ratio() const { return failures.ratio(); }
 

@@ -101,14 +101,14 @@ struct EdgeCap {
   N width = in.along - out.along;
   N length = square_root(squared);
   N scale = 1 / length;
-  bool has_faces;  // two vertices lie beyond the edge, in one of the queries at least
+  bool has_faces = false;  // two vertices lie beyond the edge, in one of the queries at least
 
   [[gnu::always_inline]] explicit EdgeCap(const CornerEdgeQuery* queries)
       : start(queries, &CornerEdgeQuery::ring, &Feature::edge),
         edge({queries, &CornerEdgeQuery::ring, &Feature::edge_end}, start),
         squared(edge.x * edge.x + edge.y * edge.y),
         in(queries, start, edge, &Feature::first, &Feature::before),
-        out(queries, start, edge, &Feature::last, &Feature::after), has_faces(false) {
+        out(queries, start, edge, &Feature::last, &Feature::after) {
     for (std::size_t l = 0; l < lanes_of<N>; ++l) has_faces |= !queries[l].place->one_vertex();
   }
 

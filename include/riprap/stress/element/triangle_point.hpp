@@ -47,7 +47,7 @@ template <std::size_t N>
 [[nodiscard]] constexpr bool has_equal_shares(const std::array<TrianglePoint, N>& points) {
   for (const TrianglePoint& point : points) {
     const double share = static_cast<double>(N) * point.share;
-    if (!(share > 1 - 1e-12 && share < 1 + 1e-12)) return false;
+    if (share <= 1 - 1e-12 || share >= 1 + 1e-12) return false;
   }
   return true;
 }
