@@ -30,9 +30,9 @@ struct Result {
   double law = 0;        // energy that the law cannot explain; made: negative
   double splitting = 0;  // energy lost in breaks; made: negative
   double damping = 0;
-  double overlap = 0;     // mean depth over mean diameter
-  double step_time = 0;   // processor time of a step [us]
-  double made_worst = 0;  // energy made by law and splitting together
+  double overlap = 0;    // mean depth over mean diameter
+  double step_time = 0;  // processor time of a step [us]
+  double made = 0;       // energy made by law and splitting together
 };
 
 // Names of the numbers, for files and tables.
@@ -50,7 +50,7 @@ inline constexpr std::array<Column, 11> columns{{{"peak_sin_phi", &Result::peak}
                                                  {"damping_share", &Result::damping},
                                                  {"overlap_ratio", &Result::overlap},
                                                  {"step_time_us", &Result::step_time},
-                                                 {"made_share", &Result::made_worst}}};
+                                                 {"made_share", &Result::made}}};
 
 [[nodiscard]] inline double mean_sin_phi(const std::vector<riprap::CurvePoint>& points, double from,
                                          double to) {
@@ -92,7 +92,7 @@ Result run(const ModelType& model, const Setup& setup) {
   r.law = end.energy.law_residual / work;
   r.splitting = end.energy.breakage / work;
   r.damping = end.energy.damping / work;
-  r.made_worst = end.energy.made() / work;
+  r.made = end.energy.made() / work;
   r.overlap = end.overlap_ratio;
   r.step_time = 1e6 * seconds / static_cast<double>(sim.steps());
   return r;
