@@ -38,7 +38,7 @@ Crushing crush(const Tresca& criterion) {
   const ConvexPolygon square{{0, 0}, {0.016, 0}, {0.016, 0.016}, {0, 0.016}};
   const ConvexPolygon platen{{-0.02, 0}, {0.04, 0}, {0.04, 0.016}, {-0.02, 0.016}};
   const Vec2 speed{0, 0.1};  // [m/s]
-  const LinearSpringCoulomb springs;
+  const EnergyConservingSpring springs;
   const Assembly assembly{
       .particles = {{square},
                     {platen.moved({}, {0, 0.016}), Motion::prescribed, -speed},
@@ -46,7 +46,7 @@ Crushing crush(const Tresca& criterion) {
   Simulation sim{Model{}.contact_law(springs).criterion(criterion), assembly, Rock{}};
   ForceAtBreak at_break;
   while (sim.breaks().empty()) sim.step(at_break);
-  return {at_break.force, springs.normal_stiffness * speed.y() * sim.time_step()};
+  return {at_break.force, springs.peak_stiffness() * speed.y() * sim.time_step()};
 }
 
 int main() {

@@ -39,7 +39,7 @@ int main() {
   const double m0 = slow.particles().body(0).mass;
   const double m1 = slow.particles().body(1).mass;
   const double effective = m0 * m1 / (m0 + m1);  // of two free bodies [kg]
-  const double expected = speed * std::sqrt(LinearSpringCoulomb{}.normal_stiffness * effective);
+  const double expected = speed * std::sqrt(EnergyConservingSpring{}.normal_stiffness * effective);
   std::printf("at %4.1f m/s: largest force %.2f N, closed form %.2f N, %zu breakages\n", speed,
               slow_impact.largest, expected, slow.breaks().size());
 

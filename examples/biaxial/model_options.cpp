@@ -11,21 +11,32 @@ using Numbers = std::vector<command_line::Member<double>>;
 
 void add_contact(OptionTable& table, Options& o) {
   table.begin_group("Contacts");
-  table.add_choice("--contact", o.contact, {"linear", "area", "dashpot"},
-                   "law: linear springs, overlap area, springs with dashpot");
+  table.add_choice("--contact", o.contact,
+                   {"energy-conserving", "linear", "incremental", "area", "dashpot"},
+                   "the energy-conserving spring on the moments of the overlap; or, on its chord, "
+                   "linear springs, incremental springs, overlap area, springs with dashpot");
   table.add_number("--friction",
-                   Numbers{{&o.linear.friction, "LinearSpringCoulomb.friction"},
+                   Numbers{{&o.energy_conserving.friction, "EnergyConservingSpring.friction"},
+                           {&o.linear.friction, "LinearSpringCoulomb.friction"},
+                           {&o.incremental.friction, "IncrementalSpring.friction"},
                            {&o.area.friction, "OverlapAreaSpring.friction"},
                            {&o.dashpot.friction, "SpringDashpot.friction"}},
                    "between particles [-]");
   table.add_number(
       "--normal-stiffness",
-      Numbers{{&o.linear.normal_stiffness, "LinearSpringCoulomb.normal_stiffness", "linear"},
-              {&o.dashpot.normal_stiffness, "SpringDashpot.normal_stiffness", "dashpot"}},
+      Numbers{
+          {&o.energy_conserving.normal_stiffness, "EnergyConservingSpring.normal_stiffness",
+           "energy-conserving"},
+          {&o.linear.normal_stiffness, "LinearSpringCoulomb.normal_stiffness", "linear"},
+          {&o.incremental.normal_stiffness, "IncrementalSpring.normal_stiffness", "incremental"},
+          {&o.dashpot.normal_stiffness, "SpringDashpot.normal_stiffness", "dashpot"}},
       "of a contact [N/m]", "--contact");
   table.add_number(
       "--tangential-stiffness",
-      Numbers{{&o.linear.tangential_stiffness, "LinearSpringCoulomb.tangential_stiffness"},
+      Numbers{{&o.energy_conserving.tangential_stiffness,
+               "EnergyConservingSpring.tangential_stiffness"},
+              {&o.linear.tangential_stiffness, "LinearSpringCoulomb.tangential_stiffness"},
+              {&o.incremental.tangential_stiffness, "IncrementalSpring.tangential_stiffness"},
               {&o.area.tangential_stiffness, "OverlapAreaSpring.tangential_stiffness"},
               {&o.dashpot.tangential_stiffness, "SpringDashpot.tangential_stiffness"}},
       "of a contact [N/m]");
@@ -52,8 +63,13 @@ void add_motion(OptionTable& table, Options& o) {
   table.add_choice("--integrator", o.integrator, {"euler", "verlet"},
                    "symplectic Euler or velocity Verlet");
   table.add_number("--local-damping", o.damping.coefficient, "LocalDamping.coefficient", "[-]");
-  table.add_number("--time-step-fraction", o.time_step.fraction, "MassFloor.fraction",
-                   "time step over sqrt(m / k) [-]");
+  table.add_number("--time-step-fraction",
+                   Numbers{{&o.time_step.fraction, "MassFloor.fraction", "energy-conserving"},
+                           {&o.time_step_of_others.fraction, "MassFloor.fraction", "linear"},
+                           {&o.time_step_of_others.fraction, "MassFloor.fraction", "incremental"},
+                           {&o.time_step_of_others.fraction, "MassFloor.fraction", "area"},
+                           {&o.time_step_of_others.fraction, "MassFloor.fraction", "dashpot"}},
+                   "time step over sqrt(m / k), k the peak stiffness [-]", "--contact");
 }
 
 void add_stress(OptionTable& table, Options& o) {

@@ -20,9 +20,12 @@ struct Options {
   std::string integrator = "euler";
   riprap::LocalDamping damping{};
   riprap::MassFloor time_step{};
+  riprap::MassFloor time_step_of_others{.fraction = 0.12};  // than the energy-conserving contact
 
-  std::string contact = "linear";
+  std::string contact = "energy-conserving";
+  riprap::EnergyConservingSpring energy_conserving{};
   riprap::LinearSpringCoulomb linear{};
+  riprap::IncrementalSpring incremental{};
   riprap::OverlapAreaSpring area{};
   riprap::SpringDashpot dashpot{};
   riprap::UniformGrid broad_phase{};
@@ -57,7 +60,7 @@ struct Options {
   // Do contact law, integrator, support and boundary have their defaults, for which there are
   // programs without choices?
   [[nodiscard]] bool compiled_in() const {
-    return contact == "linear" && integrator == "euler" && support == "inertia-relief" &&
+    return contact == "energy-conserving" && integrator == "euler" && support == "inertia-relief" &&
            boundary == "particles";
   }
 };

@@ -29,9 +29,20 @@ AnyPlane chosen_plane(const Options& options) {
 }
 
 AnyContact chosen_contact(const Options& options) {
+  if (options.contact == "linear") return {options.linear};
+  if (options.contact == "incremental") return {options.incremental};
   if (options.contact == "area") return {options.area};
   if (options.contact == "dashpot") return {options.dashpot};
-  return {options.linear};
+  return {options.energy_conserving};
+}
+
+AnyNarrowPhase chosen_narrow_phase(const Options& options) {
+  if (options.contact == "energy-conserving") return {riprap::OverlapMoments{}};
+  return {riprap::OverlapChord{}};
+}
+
+riprap::MassFloor chosen_time_step(const Options& options) {
+  return options.contact == "energy-conserving" ? options.time_step : options.time_step_of_others;
 }
 
 AnyIntegrator chosen_integrator(const Options& options) {

@@ -6,6 +6,7 @@
 #include <riprap/breakage/criterion/criterion_choice.hpp>
 #include <riprap/breakage/line_fit/line_fit_choice.hpp>
 #include <riprap/contact/contact_law/contact_law_choice.hpp>
+#include <riprap/contact/narrow_phase/narrow_phase_choice.hpp>
 #include <riprap/core/execution/serial.hpp>
 #include <riprap/dynamics/integrator/integrator_choice.hpp>
 #include <riprap/riprap.hpp>
@@ -24,8 +25,11 @@ using AnyLineFit =
     riprap::LineFitChoice<riprap::WeightedXY, riprap::WeightedX, riprap::WeightedY,
                           riprap::WeightedXYByMeanStress, riprap::MeanTensionLine,
                           riprap::TotalLeastSquares, riprap::FailurePlaneThroughCentroid>;
-using AnyContact = riprap::ContactLawChoice<riprap::LinearSpringCoulomb, riprap::OverlapAreaSpring,
-                                            riprap::SpringDashpot>;
+using AnyContact =
+    riprap::ContactLawChoice<riprap::EnergyConservingSpring, riprap::LinearSpringCoulomb,
+                             riprap::IncrementalSpring, riprap::OverlapAreaSpring,
+                             riprap::SpringDashpot>;
+using AnyNarrowPhase = riprap::NarrowPhaseChoice<riprap::OverlapMoments, riprap::OverlapChord>;
 using AnyIntegrator = riprap::IntegratorChoice<riprap::SymplecticEuler, riprap::VelocityVerlet>;
 using AnySupport = riprap::SupportChoice<riprap::InertiaRelief, riprap::TwoPinnedContacts>;
 using AnyPlane = riprap::PlaneStateChoice<riprap::PlaneStress, riprap::PlaneStrain>;
@@ -48,5 +52,8 @@ AnyCriterion chosen_criterion(const Options& options);
 AnyLineFit chosen_line_fit(const Options& options);
 AnyPlane chosen_plane(const Options& options);
 AnyContact chosen_contact(const Options& options);
+// The one that the contact law goes with.
+AnyNarrowPhase chosen_narrow_phase(const Options& options);
+riprap::MassFloor chosen_time_step(const Options& options);
 AnyIntegrator chosen_integrator(const Options& options);
 AnySupport chosen_support(const Options& options);

@@ -24,7 +24,7 @@
 inline auto breakable_model(const Options& o) {
   return riprap::Model{}
       .broad_phase(o.broad_phase)
-      .contact_law(o.linear)
+      .contact_law(o.energy_conserving)
       .damping(o.damping)
       .time_step(o.time_step)
       .criterion(chosen_criterion(o))
@@ -37,10 +37,12 @@ inline auto breakable_model(const Options& o) {
       .execution(AnyExecution{static_cast<int>(o.threads)});
 }
 
-// The same with a choice of contact law, integrator and support.
+// The same with a choice of contact, integrator and support.
 inline auto model_of_choices(const Options& o) {
   return breakable_model(o)
+      .narrow_phase(chosen_narrow_phase(o))
       .contact_law(chosen_contact(o))
+      .time_step(chosen_time_step(o))
       .integrator(chosen_integrator(o))
       .support(chosen_support(o));
 }

@@ -71,11 +71,21 @@ inline Json criterion_json(const riprap::Franklin& c) {
           {"tension_Pa", c.tension}};
 }
 
-inline Json contact_json(const riprap::LinearSpringCoulomb& law) {
-  return {{"law", "linear"},
+template <class Law>
+Json springs_json(const char* name, const Law& law) {
+  return {{"law", name},
           {"normal_stiffness_N_m", law.normal_stiffness},
           {"tangential_stiffness_N_m", law.tangential_stiffness},
           {"friction", law.friction}};
+}
+inline Json contact_json(const riprap::EnergyConservingSpring& law) {
+  return springs_json("energy-conserving", law);
+}
+inline Json contact_json(const riprap::LinearSpringCoulomb& law) {
+  return springs_json("linear", law);
+}
+inline Json contact_json(const riprap::IncrementalSpring& law) {
+  return springs_json("incremental", law);
 }
 inline Json contact_json(const riprap::OverlapAreaSpring& law) {
   return {{"law", "area"},

@@ -12,7 +12,7 @@ struct TrescaWithTensionCutOff {  // no base class, no macro, no registration
 int main() {
   const Rock basalt{.young = 70.0_GPa, .poisson = 0.17, .density = 2500};
   auto model = Model{}
-      .contact_law(LinearSpringCoulomb{.normal_stiffness = 2e7, .tangential_stiffness = 2e7, .friction = 0.5})
+      .contact_law(EnergyConservingSpring{.normal_stiffness = 2e7, .tangential_stiffness = 2e7, .friction = 0.5})
       .criterion(TrescaWithTensionCutOff{.strength = 300.0_MPa, .tension = 12.0_MPa})
       .line_fit(WeightedXY{})
       .integrator(SymplecticEuler{});

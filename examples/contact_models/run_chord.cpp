@@ -6,7 +6,8 @@ namespace contact_models {
 Result run_chord(const Setup& setup) {
   return run(riprap::Model{}
                  .narrow_phase(riprap::OverlapChord{})
-                 .contact_law(riprap::LinearSpringCoulomb{}),
+                 .contact_law(riprap::LinearSpringCoulomb{})
+                 .time_step(riprap::MassFloor{.fraction = 0.12}),
              setup);
 }
 

@@ -4,9 +4,11 @@
 namespace contact_models {
 
 Result run_incremental(const Setup& setup) {
-  return run(
-      riprap::Model{}.narrow_phase(riprap::OverlapChord{}).contact_law(riprap::IncrementalSpring{}),
-      setup);
+  return run(riprap::Model{}
+                 .narrow_phase(riprap::OverlapChord{})
+                 .contact_law(riprap::IncrementalSpring{})
+                 .time_step(riprap::MassFloor{.fraction = 0.12}),
+             setup);
 }
 
 }  // namespace contact_models

@@ -27,13 +27,13 @@
 #include <riprap/breakage/trigger/weibull_strength.hpp>
 #include <riprap/contact/broad_phase/all_pairs.hpp>
 #include <riprap/contact/broad_phase/no_pairs.hpp>
-#include <riprap/contact/contact_law/energy_conserving_spring.hpp>
 #include <riprap/contact/contact_law/incremental_spring.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/contact/contact_law/no_contact_force.hpp>
 #include <riprap/contact/contact_law/overlap_area_spring.hpp>
 #include <riprap/contact/contact_law/spring_dashpot.hpp>
 #include <riprap/contact/narrow_phase/no_overlap.hpp>
-#include <riprap/contact/narrow_phase/overlap_moments.hpp>
+#include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/contact/narrow_phase/separating_axis.hpp>
 #include <riprap/core/units.hpp>
 #include <riprap/core/version.hpp>

@@ -4,6 +4,7 @@
 #include <support/violated.hpp>
 
 #include <riprap/conformance/simulation.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/contact/contact_law/spring_dashpot.hpp>
 #include <riprap/dynamics/damping/viscous_damping.hpp>
 #include <riprap/dynamics/integrator/velocity_verlet.hpp>

@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
   const RandomAssembly few{.count = 60, .seed = 3};
   const Curve ring = sheared(StrainField{}, many, 8e6);
   // Few particles, so a higher pressure for some of them to break.
-  const Curve platens = sheared(RigidPlatens{}, random_platen_assembly(few), 16e6);
+  const Curve platens = sheared(RigidPlatens{}, random_platen_assembly(few), 20e6);
   const Curve cell = sheared(PeriodicCell{}, random_periodic_assembly(few), 16e6);
   const std::string text = tables(ring) + tables(platens) + tables(cell);
   const std::uint64_t hash = hash_of(text);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/dynamics/boundary/periodic_cell.hpp>
 #include <riprap/dynamics/boundary/rigid_platens.hpp>
 #include <riprap/experiment/biaxial_test.hpp>

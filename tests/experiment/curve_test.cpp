@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/experiment/curve.hpp>
 #include <riprap/simulation/simulation.hpp>
 #include <support/near.hpp>

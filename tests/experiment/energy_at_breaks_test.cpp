@@ -5,6 +5,8 @@
 #include <string>
 
 #include <riprap/contact/contact_law/energy_conserving_spring.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
+#include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/contact/narrow_phase/overlap_moments.hpp>
 #include <riprap/dynamics/boundary/periodic_cell.hpp>
 #include <riprap/experiment/biaxial_test.hpp>

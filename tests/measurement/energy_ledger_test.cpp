@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/measurement/energy_ledger.hpp>
 
 #include <doctest/doctest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // riprap: divided_history of a ContactLaw must be History divided_history(const History&, const
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/simulation/model.hpp>
 using namespace riprap;
 

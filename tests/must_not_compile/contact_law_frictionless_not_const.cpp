@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // riprap: frictionless() of a ContactLaw must be const and return such a law
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/simulation/model.hpp>
 using namespace riprap;
 

@@ -18,8 +18,12 @@ struct TwoFunctions {
 };
 
 // The shipped models that the archetypes stand in for; the rest are defaults.
-const auto shipped =
-    Model{}.integrator(VelocityVerlet{}).boundary(NoBoundary{}).criterion(TwoFunctions{});
+const auto shipped = Model{}
+                         .narrow_phase(OverlapChord{})
+                         .contact_law(LinearSpringCoulomb{})
+                         .integrator(VelocityVerlet{})
+                         .boundary(NoBoundary{})
+                         .criterion(TwoFunctions{});
 
 // A square 1 mm deep in a platen on either side breaks at the first check; then its pieces fly.
 struct Outcome {

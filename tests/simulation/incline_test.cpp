@@ -110,7 +110,7 @@ TEST_CASE("under the area law a rectangular block on a slope tilts until its cho
                               .tangential_stiffness = k,
                               .friction = std::tan(25 * degree),
                               .largest_chord = 10};
-  auto model = Model{}.criterion(NeverFails{}).boundary(NoBoundary{}).contact_law(law);
+  const auto model = damped(law);
   Simulation sim{model, slope_and_block(20 * degree, rectangle({0, 1}, 10, 2), 0), rock_of(2000)};
   sim.set_body_force({0, -10});
   for (int i = 0; i < 20000; ++i) sim.step();

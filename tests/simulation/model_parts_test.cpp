@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/simulation/model_parts.hpp>
 
 #include <doctest/doctest.h>

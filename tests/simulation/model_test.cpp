@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <riprap/breakage/criterion/mohr_coulomb.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
+#include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/dynamics/boundary/no_boundary.hpp>
 #include <riprap/dynamics/damping/no_damping.hpp>
 #include <riprap/simulation/model.hpp>

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <riprap/contact/contact_law/spring_dashpot.hpp>
+#include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/contact/narrow_phase/overlap_moments.hpp>
 #include <support/near.hpp>
 #include <support/rectangle.hpp>

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include <riprap/contact/broad_phase/all_pairs.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
+#include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/dynamics/boundary/no_boundary.hpp>
 #include <riprap/dynamics/integrator/velocity_verlet.hpp>
 #include <riprap/simulation/model.hpp>

@@ -6,16 +6,24 @@
 #include <utility>
 #include <vector>
 
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
+#include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/dynamics/boundary/no_boundary.hpp>
 #include <riprap/dynamics/damping/no_damping.hpp>
 #include <riprap/simulation/simulation.hpp>
 
 namespace riprap::test {
 
-/// With local damping, to come to rest.
+/// With local damping, to come to rest. Forces are the law's at the middle of the chord, so that of
+/// two faces is the stiffness times the depth.
 template <ContactLaw Law>
 [[nodiscard]] auto damped(const Law& law) {
-  return Model{}.criterion(NeverFails{}).boundary(NoBoundary{}).contact_law(law);
+  return Model{}
+      .criterion(NeverFails{})
+      .boundary(NoBoundary{})
+      .narrow_phase(OverlapChord{})
+      .contact_law(law)
+      .time_step(MassFloor{.fraction = 0.12});
 }
 
 /// Without damping: what is left is Newton's law and the contact law.

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <riprap/contact/contact_law/coulomb_slip.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/dynamics/damping/no_damping.hpp>
 #include <riprap/simulation/simulation.hpp>
 using namespace riprap;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/simulation/simulation.hpp>
 using namespace riprap;
 

@@ -10,8 +10,8 @@
 #include <riprap/breakage/splitter/straight_cut.hpp>
 #include <riprap/breakage/trigger/failed_element_ratio.hpp>
 #include <riprap/contact/broad_phase/uniform_grid.hpp>
-#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
-#include <riprap/contact/narrow_phase/overlap_chord.hpp>
+#include <riprap/contact/contact_law/energy_conserving_spring.hpp>
+#include <riprap/contact/narrow_phase/overlap_moments.hpp>
 #include <riprap/dynamics/body_force/uniform_body_force.hpp>
 #include <riprap/dynamics/boundary/strain_field.hpp>
 #include <riprap/dynamics/damping/local_damping.hpp>
@@ -26,8 +26,8 @@
 namespace riprap {
 
 /// From poses to contact forces.
-template <BroadPhase BroadT = UniformGrid, NarrowPhase NarrowT = OverlapChord,
-          ContactLaw LawT = LinearSpringCoulomb>
+template <BroadPhase BroadT = UniformGrid, NarrowPhase NarrowT = OverlapMoments,
+          ContactLaw LawT = EnergyConservingSpring>
 struct ContactModel {
   BroadT broad_phase{};
   NarrowT narrow_phase{};

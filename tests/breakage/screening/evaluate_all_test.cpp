@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <riprap/breakage/screening/evaluate_all.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// A normal spring that is the gradient of its energy, through breaks too, with Coulomb slip.
+/// A normal spring that is the gradient of its energy, through breaks too, with Coulomb slip: the
+/// default contact law, with the stiffnesses and the friction of Table 1 of the paper.
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Linear springs with Coulomb slip: the default contact law (Table 1 of the paper).
+/// Linear springs with Coulomb slip.
 
 #include <algorithm>
 

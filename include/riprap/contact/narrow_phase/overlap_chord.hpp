@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Contact line through the two points where the boundaries cross: the default narrow phase.
+/// Contact line through the two points where the boundaries cross.
 
 #include <algorithm>
 #include <cmath>

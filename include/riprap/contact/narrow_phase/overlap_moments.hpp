@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Depth from the second moments of the overlap, with its exact gradient: for energy-conserving
-/// contact laws.
+/// Depth from the second moments of the overlap, with its exact gradient: the default narrow phase.
 
 #include <cmath>
 #include <cstddef>

@@ -11,10 +11,10 @@
 
 namespace riprap {
 
-/// dt = fraction * sqrt(m / k). At 0.12 sharp samples come to rest and the answer in shear no
-/// longer depends on the step; at 0.5 it runs and the answer is wrong.
+/// dt = fraction * sqrt(m / k), with k the contact law's peak stiffness. See docs/theory/time_step.md
+/// for what the fraction changes; 0.12 is for laws that make energy, as LinearSpringCoulomb.
 struct MassFloor {
-  double fraction = 0.12;  ///< of sqrt(m / k) [-]
+  double fraction = 0.24;  ///< of sqrt(m / k) [-]
 
   [[nodiscard]] double time_step(double mass, double stiffness) const {
     return fraction * std::sqrt(mass / stiffness);

@@ -13,7 +13,7 @@ namespace riprap {
 /// dt = fraction * sqrt(lightest * m / k) with m the smallest intact particle's mass; no body is
 /// made heavier. Give `lightest` the smallest mass of a piece over m.
 struct NoMassScaling {
-  double fraction = 0.12;  ///< of sqrt(m / k) of the lightest piece [-]
+  double fraction = 0.24;  ///< of sqrt(m / k) of the lightest piece [-]
   double lightest = 0.1;   ///< mass of the lightest piece over the smallest intact particle's [-]
 
   [[nodiscard]] double time_step(double mass, double stiffness) const {
