@@ -16,15 +16,16 @@ Options read_options(int argc, char** argv) {
   Options o;
   o.jobs = std::max(1U, std::thread::hardware_concurrency());
   CLI::App app{
-      "The paper's study: biaxial tests at 0.5 to 14 MPa without breakage (nb), with breakage "
-      "(wb)\n"
-      "and with breakage of particles pinned at two contacts (pinned), side by side; then a "
-      "report.\n"
+      "The paper's study: biaxial tests at 0.5 to 14 MPa without breakage (nb) and with "
+      "breakage\n"
+      "(wb), rows that change one thing at a time, and a report.\n"
       "Runs that are finished are kept, so that an interrupted study goes on where it was."};
   app.get_formatter()->column_width(30);
   command_line::OptionTable table(app);
   table.begin_group("Options");
-  table.add_number("--samples", o.samples, "", "samples, seeds 1, 2, ..., of each series")
+  table
+      .add_number("--samples", o.samples, "",
+                  "samples, seeds 1, 2, ..., of each series; two more at 2 and 4 MPa")
       ->check(CLI::Range(1, 1000));
   table.add_number("--jobs", o.jobs, "", "runs side by side; changes no result")
       ->check(CLI::Range(1, 1024));

@@ -8,7 +8,7 @@ namespace study {
 
 struct Options {
   std::string out;
-  unsigned samples = 3;
+  unsigned samples = 8;
   unsigned jobs = 1;
   bool quick = false;
 };

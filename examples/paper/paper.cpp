@@ -7,9 +7,9 @@
 #include "../command_line/program.hpp"
 #include "options.hpp"
 #include "report/report.hpp"
-#include "runs/run_plan.hpp"
 #include "runs/run_queue.hpp"
 #include "runs/run_unconfined.hpp"
+#include "runs/study_design.hpp"
 
 int main(int argc, char** argv) {
   const study::Options options = study::read_options(argc, argv);

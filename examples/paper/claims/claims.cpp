@@ -5,34 +5,58 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <map>
-#include <utility>
 
 namespace report {
 
 namespace {
 
-// "NB at 0.5 MPa, 1 MPa; WB at all pressures" of the findings with an outcome.
-std::string places(const std::vector<Finding>& findings, Outcome outcome) {
-  std::vector<std::string> order;
-  std::map<std::string, std::vector<std::string>> by_series;
-  for (const Finding& f : findings) {
-    if (!f.counts || f.outcome != outcome) continue;
-    if (!by_series.contains(f.series)) order.push_back(f.series);
-    by_series[f.series].push_back(f.place);
-  }
+std::string short_number(double value) {
+  char buffer[48];
+  std::snprintf(buffer, sizeof buffer, "%.3g", value + 0.0);
+  return buffer;
+}
+
+std::string to_text(const Part& part) {
+  const std::string no_effect = "less than " + short_number(part.margin) + ", which counts as none";
   std::string out;
-  for (const std::string& series : order) {
-    const std::vector<std::string>& all = by_series[series];
-    out += (out.empty() ? "" : "; ") + series;
-    if (all.size() == pressures.size()) {
-      out += " at all pressures";
-      continue;
-    }
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (!all[i].empty()) out += (i > 0 ? ", " : all[i].ends_with("MPa") ? " at " : " ") + all[i];
+  switch (part.shown) {
+  case Shown::effect:
+    out = "as claimed";
+    break;
+  case Shown::small_effect:
+    out = "as claimed, but " + no_effect;
+    break;
+  case Shown::neither:
+    out = "neither shown nor refuted";
+    break;
+  case Shown::no_effect:
+    out = no_effect;
+    break;
+  case Shown::opposite:
+    out = "the other way";
+    break;
   }
+  if (part.contradicted)
+    out += part.shown == Shown::effect ? ", but not everywhere" : "; not so everywhere";
   return out;
+}
+
+Estimate effect_of(const Part& part) {
+  Estimate effect = part.pooled;
+  effect.mean -= part.threshold;
+  if (part.claimed == Claimed::below) effect.mean = -effect.mean;
+  return effect;
+}
+
+// "a_n: slope per tenfold pressure -0.041 +- 0.006, p = 0.0003: as claimed".
+std::string test_text(const Part& part) {
+  std::string out = (part.label.empty() ? "" : part.label + ": ") + part.quantity + " " +
+                    number_text(part.pooled);
+  if (part.threshold != 0)
+    out += std::string(part.claimed == Claimed::above ? ", to be above " : ", to be below ") +
+           short_number(part.threshold);
+  const double p = p_value(effect_of(part));
+  return out + ", p " + (p < 1e-4 ? "< 0.0001" : "= " + short_number(p)) + ": " + to_text(part);
 }
 
 std::string missing_text(const std::vector<std::string>& missing) {
@@ -44,16 +68,19 @@ std::string missing_text(const std::vector<std::string>& missing) {
   return out + "; and " + std::to_string(missing.size() - named) + " more.";
 }
 
-std::string reason_of(const Evidence& evidence, Verdict verdict) {
-  if (verdict == Verdict::not_judged) return missing_text(evidence.missing);
-  if (verdict == Verdict::holds) return "As claimed throughout.";
-  std::string out;
-  for (const auto& [outcome, name] : {std::pair{Outcome::agrees, "As claimed"},
-                                      {Outcome::within_scatter, "Not clear"},
-                                      {Outcome::against, "The other way"}})
-    if (const std::string where = places(evidence.findings, outcome); !where.empty())
-      out += (out.empty() ? "" : " ") + std::string(name) + ": " + where + ".";
+std::vector<std::string> missing_of(const Evidence& evidence) {
+  std::vector<std::string> out;
+  for (const Part& part : evidence.parts)
+    for (const std::string& what : part.missing)
+      if (std::find(out.begin(), out.end(), what) == out.end()) out.push_back(what);
   return out;
+}
+
+std::string reason_of(const Evidence& evidence, Verdict verdict) {
+  if (verdict == Verdict::not_judged) return missing_text(missing_of(evidence));
+  std::string out;
+  for (const Part& part : evidence.parts) out += (out.empty() ? "" : ". ") + test_text(part);
+  return out + ".";
 }
 
 std::string remark_of(const Statement& statement, Verdict verdict) {
@@ -62,6 +89,8 @@ std::string remark_of(const Statement& statement, Verdict verdict) {
     return statement.if_holds;
   case Verdict::holds_in_part:
     return statement.if_in_part;
+  case Verdict::open:
+    return statement.if_open;
   case Verdict::does_not_hold:
     return statement.if_not;
   case Verdict::not_judged:
@@ -94,21 +123,26 @@ std::string number_text(const Estimate& e) {
 }
 
 std::string to_text(Verdict verdict) {
-  constexpr std::array names = {"holds", "holds in part", "does not hold", "not judged"};
+  constexpr std::array names = {"holds", "holds in part", "open", "does not hold", "not judged"};
   return names[static_cast<std::size_t>(verdict)];
 }
 
 Verdict verdict_of(const Evidence& evidence) {
-  std::size_t agree = 0;
-  std::size_t all = 0;
-  for (const Finding& f : evidence.findings) {
-    all += f.counts;
-    agree += f.counts && f.outcome == Outcome::agrees;
+  bool all = true;
+  bool some = false;
+  bool refuted = false;
+  for (const Part& part : evidence.parts) {
+    if (!part.missing.empty()) return Verdict::not_judged;
+    const bool is_shown = part.shown == Shown::effect || part.shown == Shown::small_effect;
+    all = all && part.shown == Shown::effect && !part.contradicted;
+    some = some || is_shown;
+    refuted = refuted || part.shown == Shown::opposite || part.shown == Shown::no_effect;
   }
-  if (!evidence.missing.empty() || all == 0) return Verdict::not_judged;
-  return agree == all ? Verdict::holds
-         : agree > 0  ? Verdict::holds_in_part
-                      : Verdict::does_not_hold;
+  if (evidence.parts.empty()) return Verdict::not_judged;
+  return all       ? Verdict::holds
+         : some    ? Verdict::holds_in_part
+         : refuted ? Verdict::does_not_hold
+                   : Verdict::open;
 }
 
 Claim judged(const Statement& statement, const Evidence& evidence) {
@@ -117,38 +151,39 @@ Claim judged(const Statement& statement, const Evidence& evidence) {
           remark_of(statement, verdict)};
 }
 
-std::vector<Claim> judge_claims(const Results& results, Mode breakable) {
+std::vector<Claim> judge_claims(const Results& results) {
   std::vector<Claim> all;
   for (const auto part : {microstructure_claims, coordination_claims, volume_claims,
                           anisotropy_claims, friction_claims})
-    for (Claim& claim : part(results, breakable)) all.push_back(std::move(claim));
+    for (Claim& claim : part(results)) all.push_back(std::move(claim));
   return all;
 }
 
-std::string findings_text(const Evidence& evidence) {
-  std::string out;
-  std::string series;
-  for (const Finding& f : evidence.findings) {
-    if (!f.counts) continue;
-    if (out.empty() || f.series != series)
-      out += (out.empty() ? "" : "; ") + f.series + ": ";
-    else
-      out += ", ";
-    out += (f.place.empty() ? "" : f.place + " ") + number_text(f.value);
-    series = f.series;
-  }
-  return out;
-}
-
 Json to_json(const Claim& claim) {
+  Json tests = Json::array();
   Json numbers = Json::object();
-  for (const Finding& f : claim.evidence.findings) {
+  const auto add = [&](const std::string& label, const Finding& f) {
     Json entry = {{"mean", real_json(f.value.mean)},
                   {"standard_error", real_json(f.value.standard_error)},
                   {"samples", f.value.samples}};
     if (f.counts) entry["outcome"] = to_text(f.outcome);
-    numbers[f.series + (f.place.empty() ? "" : ", " + f.place)] = entry;
+    numbers[f.series + ", " + f.place + (label.empty() ? "" : ", " + label)] = entry;
+  };
+  for (const Part& part : claim.evidence.parts) {
+    for (const Finding& f : part.findings) add(part.label, f);
+    if (!part.missing.empty()) continue;
+    tests.push_back({{"part", part.label},
+                     {"quantity", part.quantity},
+                     {"claimed", part.claimed == Claimed::above ? "above" : "below"},
+                     {"threshold", part.threshold},
+                     {"margin", part.margin},
+                     {"mean", real_json(part.pooled.mean)},
+                     {"standard_error", real_json(part.pooled.standard_error)},
+                     {"samples", part.pooled.samples},
+                     {"p", real_json(p_value(effect_of(part)))},
+                     {"shown", to_text(part)}});
   }
+  for (const Finding& f : claim.evidence.shown_only) add("", f);
   const Statement& s = claim.statement;
   return {{"id", s.id},
           {"section", s.section},
@@ -156,6 +191,7 @@ Json to_json(const Claim& claim) {
           {"statement", s.text},
           {"rule", s.rule},
           {"quantity", s.quantity},
+          {"tests", tests},
           {"numbers", numbers},
           {"verdict", to_text(claim.verdict)},
           {"reason", claim.reason + (claim.remark.empty() ? "" : " ") + claim.remark}};

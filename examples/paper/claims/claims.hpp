@@ -10,7 +10,7 @@
 
 namespace report {
 
-enum class Verdict { holds, holds_in_part, does_not_hold, not_judged };
+enum class Verdict { holds, holds_in_part, open, does_not_hold, not_judged };
 std::string to_text(Verdict verdict);
 
 // A statement and its rule, in our words.
@@ -24,6 +24,7 @@ struct Statement {
   // What explains the verdict besides the findings; may be empty.
   std::string if_holds = {};
   std::string if_in_part = {};
+  std::string if_open = {};
   std::string if_not = {};
 };
 
@@ -31,37 +32,40 @@ struct Claim {
   Statement statement;
   Evidence evidence;
   Verdict verdict = Verdict::not_judged;
-  std::string reason;  // where it is as claimed and where not, or what is missing
+  std::string reason;  // what the tests of its parts show, or what is missing
   std::string remark;  // what explains that; may be empty
 };
 
-// Holds if all findings that count agree, in part if some do, not if none does; not judged while
-// anything is missing.
+// Holds if the pooled test of every part shows its effect and no single series and pressure
+// contradicts; in part if that of some part shows one; does not hold if none does, and one part
+// shows the opposite or no effect; else open. Not judged while anything is missing.
 Verdict verdict_of(const Evidence& evidence);
 Claim judged(const Statement& statement, const Evidence& evidence);
 
-// All statements, judged with the runs of `breakable` as those with breakage.
-std::vector<Claim> judge_claims(const Results& results, Mode breakable);
+// All statements.
+std::vector<Claim> judge_claims(const Results& results);
 
 // Mean and standard error with as many decimals as two figures of the error ask for.
 std::string number_text(const Estimate& estimate);
 
-// The findings that count, in a few words: "WB less NB: 0.5 MPa 0.012 +- 0.004, ...".
-std::string findings_text(const Evidence& evidence);
-
-// {id, section, figures, statement, rule, quantity, numbers, verdict, reason}
+// {id, section, figures, statement, rule, quantity, tests, numbers, verdict, reason}
 Json to_json(const Claim& claim);
 
 // The statements by the part of the paper that makes them.
-std::vector<Claim> microstructure_claims(const Results& results, Mode breakable);
-std::vector<Claim> coordination_claims(const Results& results, Mode breakable);
-std::vector<Claim> volume_claims(const Results& results, Mode breakable);
-std::vector<Claim> anisotropy_claims(const Results& results, Mode breakable);
-std::vector<Claim> friction_claims(const Results& results, Mode breakable);
+std::vector<Claim> microstructure_claims(const Results& results);
+std::vector<Claim> coordination_claims(const Results& results);
+std::vector<Claim> volume_claims(const Results& results);
+std::vector<Claim> anisotropy_claims(const Results& results);
+std::vector<Claim> friction_claims(const Results& results);
 
 inline const std::vector<double>& all_pressures() {
   static const std::vector<double> all(pressures.begin(), pressures.end());
   return all;
+}
+
+inline const std::vector<Mode>& both_series() {
+  static const std::vector<Mode> both{Mode::nb, Mode::wb};
+  return both;
 }
 
 }  // namespace report

@@ -7,139 +7,149 @@ namespace report {
 
 namespace {
 
-std::string place_of(Mode mode, double pressure) {
-  return to_text(mode) + " at " + pressure_text(pressure);
+// A series at a pressure, with what it gives to a part.
+struct Place {
+  std::string series;
+  double pressure = 0;
+  Cell cell;
+};
+
+// The effect that the part claims to be above 0.
+Estimate effect_of(const Part& part, Estimate value) {
+  value.mean -= part.threshold;
+  if (part.claimed == Claimed::below) value.mean = -value.mean;
+  return value;
 }
 
-Outcome outcome_of(Estimate difference, Claimed claimed) {
-  if (claimed == Claimed::below) difference.mean = -difference.mean;
-  return outcome_above_zero(difference);
+double level_of_one(std::size_t tests) { return 1 - (1 - test_level) / static_cast<double>(tests); }
+
+Part part_of(const Asked& asked, const std::string& quantity) {
+  return {.label = asked.label,
+          .quantity = quantity,
+          .claimed = asked.claimed,
+          .threshold = asked.threshold,
+          .margin = asked.margin};
 }
 
-std::string missing_text(const std::string& what, std::size_t samples) {
-  return what + (samples == 0 ? " (no sample)" : " (one sample, no scatter)");
+std::vector<Place> places_of(const Results& results, const std::vector<Mode>& modes,
+                             const std::vector<double>& at, const Feature& feature) {
+  std::vector<Place> all;
+  for (const Mode mode : modes)
+    for (const double pressure : at)
+      all.push_back({to_text(mode), pressure, cell(results.of(mode, pressure), feature)});
+  return all;
+}
+
+void add_finding(Part& part, const Place& place) {
+  std::vector<double> numbers;
+  for (const auto& [sample, value] : place.cell) numbers.push_back(value);
+  const std::string where = pressure_text(place.pressure);
+  if (numbers.size() < 2)
+    part.missing.push_back(place.series + " at " + where +
+                           (numbers.empty() ? " (no sample)" : " (one sample, no scatter)"));
+  else
+    part.findings.push_back(
+        {place.series, where, estimate(numbers), Outcome::within_scatter, false});
+}
+
+// Tests the part and, where they may contradict it, its places one by one.
+void judge(Part& part, const std::vector<Place>& places, const std::vector<double>& weights,
+           bool places_count) {
+  std::vector<Cell> cells;
+  for (const Place& place : places) {
+    add_finding(part, place);
+    cells.push_back(place.cell);
+  }
+  if (!part.missing.empty()) return;
+  part.pooled = pooled(cells, weights);
+  if (part.pooled.samples < 2) {
+    part.missing.push_back("two samples that all series and pressures have");
+    return;
+  }
+  part.shown = shown_by(effect_of(part, part.pooled), part.margin);
+  if (!places_count) return;
+  for (Finding& f : part.findings) {
+    f.counts = true;
+    f.outcome = outcome_above_zero(effect_of(part, f.value), level_of_one(places.size()));
+    part.contradicted = part.contradicted || f.outcome == Outcome::against;
+  }
 }
 
 }  // namespace
 
-void Evidence::add(const Evidence& other) {
-  findings.insert(findings.end(), other.findings.begin(), other.findings.end());
-  missing.insert(missing.end(), other.missing.begin(), other.missing.end());
-}
-
-Evidence Evidence::labelled(const std::string& text) const {
-  Evidence out = *this;
-  for (Finding& f : out.findings) f.series += ", " + text;
-  return out;
-}
-
-Evidence Evidence::unless_against() const {
-  Evidence out = *this;
-  for (Finding& f : out.findings)
-    if (f.outcome == Outcome::within_scatter) f.outcome = Outcome::agrees;
+Cell cell(const std::vector<const Run*>& runs, const Feature& feature) {
+  Cell out;
+  for (const Run* run : runs)
+    if (const double v = feature(*run); !std::isnan(v)) out[run->seed] = v;
   return out;
 }
 
 std::vector<double> values(const Results& results, Mode mode, double pressure,
                            const Feature& feature) {
   std::vector<double> out;
-  for (const Run* run : results.of(mode, pressure))
-    if (const double v = feature(*run); !std::isnan(v)) out.push_back(v);
+  for (const auto& [sample, value] : cell(results.of(mode, pressure), feature))
+    out.push_back(value);
   return out;
 }
 
-std::vector<double> paired(const Results& results, Mode mode, double pressure, Mode less_mode,
-                           double less_pressure, const Feature& feature) {
-  std::vector<double> out;
-  for (const Run* run : results.of(mode, pressure))
-    for (const Run* less : results.of(less_mode, less_pressure)) {
-      const double difference =
-          run->seed == less->seed ? feature(*run) - feature(*less) : std::nan("");
-      if (!std::isnan(difference)) out.push_back(difference);
-    }
+Cell less(const Cell& one, const Cell& other) {
+  Cell out;
+  for (const auto& [sample, value] : one)
+    if (const auto found = other.find(sample); found != other.end())
+      out[sample] = value - found->second;
   return out;
 }
 
-Evidence differences(const Results& results, Mode mode, Mode less, const std::vector<double>& at,
-                     const Feature& feature, Claimed claimed) {
-  Evidence out;
-  for (const double pressure : at) {
-    const std::vector<double> all = paired(results, mode, pressure, less, pressure, feature);
-    const std::string series = to_text(mode) + " less " + to_text(less);
-    if (all.size() < 2) {
-      out.missing.push_back(missing_text(series + " at " + pressure_text(pressure), all.size()));
-      continue;
-    }
-    const Estimate difference = estimate(all);
-    out.findings.push_back(
-        {series, pressure_text(pressure), difference, outcome_of(difference, claimed)});
-  }
-  return out;
+Part difference_part(const Results& results, const Asked& asked, const std::vector<double>& at,
+                     const Feature& feature) {
+  Part part = part_of(asked, "mean over the pressures");
+  std::vector<Place> places;
+  for (const double pressure : at)
+    places.push_back({"WB less NB", pressure,
+                      less(cell(results.of(Mode::wb, pressure), feature),
+                           cell(results.of(Mode::nb, pressure), feature))});
+  judge(part, places, mean_weights(places.size()), true);
+  return part;
 }
 
-Evidence levels(const Results& results, const std::vector<Mode>& modes,
-                const std::vector<double>& at, const Feature& feature, Claimed claimed,
-                double chance) {
-  Evidence out;
+Part level_part(const Results& results, const Asked& asked, const std::vector<Mode>& modes,
+                const std::vector<double>& at, const Feature& feature) {
+  Part part = part_of(asked, "mean");
+  judge(part, places_of(results, modes, at, feature), mean_weights(modes.size() * at.size()), true);
+  return part;
+}
+
+Part contrast_part(const Results& results, const Asked& asked, const std::vector<Mode>& modes,
+                   const std::vector<double>& at, const std::vector<double>& weights,
+                   const std::string& quantity, const Feature& feature) {
+  Part part = part_of(asked, quantity);
+  std::vector<double> all;
+  for (std::size_t m = 0; m < modes.size(); ++m)
+    for (const double w : weights) all.push_back(w / static_cast<double>(modes.size()));
+  judge(part, places_of(results, modes, at, feature), all, false);
+  return part;
+}
+
+Part slope_part(const Results& results, const Asked& asked, const std::vector<Mode>& modes,
+                const Feature& feature) {
+  std::vector<double> logarithms;
+  for (const double pressure : pressures) logarithms.push_back(std::log10(pressure));
+  const std::vector<double> at(pressures.begin(), pressures.end());
+  Part part = contrast_part(results, asked, modes, at, slope_weights(logarithms),
+                            "slope per tenfold pressure", feature);
+  // A step per tenfold pressure has the threshold of the slope.
+  const double level = level_of_one(modes.size() * (at.size() - 1));
   for (const Mode mode : modes)
-    for (const double pressure : at) {
-      const std::vector<double> all = values(results, mode, pressure, feature);
-      if (all.size() < 2) {
-        out.missing.push_back(missing_text(place_of(mode, pressure), all.size()));
-        continue;
-      }
-      const Estimate value = estimate(all);
-      Estimate over = value;
-      over.mean -= chance;
-      out.findings.push_back(
-          {to_text(mode), pressure_text(pressure), value, outcome_of(over, claimed)});
+    for (std::size_t i = 1; i < at.size(); ++i) {
+      const double decades = logarithms[i] - logarithms[i - 1];
+      const Estimate step = pooled(
+          {cell(results.of(mode, at[i - 1]), feature), cell(results.of(mode, at[i]), feature)},
+          {-1 / decades, 1 / decades});
+      part.contradicted = part.contradicted ||
+                          (step.samples > 1 &&
+                           outcome_above_zero(effect_of(part, step), level) == Outcome::against);
     }
-  return out;
-}
-
-Evidence mean_levels(const Results& results, const std::vector<Mode>& modes,
-                     const std::vector<double>& at, const Feature& feature, Claimed claimed,
-                     double tolerance) {
-  Evidence out = levels(results, modes, at, feature, claimed);
-  for (Finding& f : out.findings) {
-    const bool agrees =
-        claimed == Claimed::above ? f.value.mean >= tolerance : f.value.mean <= tolerance;
-    f.outcome = agrees ? Outcome::agrees : Outcome::against;
-  }
-  return out;
-}
-
-Evidence trend_with_pressure(const Results& results, const std::vector<Mode>& modes,
-                             const Feature& feature, Claimed claimed) {
-  Evidence out;
-  for (const Mode mode : modes) {
-    Evidence shown =
-        levels(results, {mode}, {pressures.begin(), pressures.end()}, feature, claimed);
-    for (Finding& f : shown.findings) f.counts = false;
-    const bool complete = shown.missing.empty();
-    out.add(shown);
-    if (!complete) continue;
-    const auto change = [&](double from, double to) {
-      return estimate(paired(results, mode, to, mode, from, feature));
-    };
-    const Estimate whole = change(pressures.front(), pressures.back());
-    if (whole.samples < 2) {
-      out.missing.push_back(to_text(mode) +
-                            ": the same samples at the lowest and highest pressure");
-      continue;
-    }
-    Outcome outcome = outcome_of(whole, claimed);
-    for (std::size_t i = 1; i < pressures.size(); ++i) {
-      const Estimate step = change(pressures[i - 1], pressures[i]);
-      if (outcome == Outcome::agrees && step.samples > 1 &&
-          outcome_of(step, claimed) == Outcome::against)
-        outcome = Outcome::within_scatter;
-    }
-    out.findings.push_back(
-        {to_text(mode), pressure_text(pressures.front()) + " to " + pressure_text(pressures.back()),
-         whole, outcome});
-  }
-  return out;
+  return part;
 }
 
 }  // namespace report

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
-// What the runs say about a statement: one finding a series and pressure, each with its scatter.
+// What the runs say about a statement: for each of its parts one pooled test, and the numbers of
+// every series and pressure as evidence.
 
 #include <functional>
 #include <string>
@@ -11,57 +12,69 @@
 
 namespace report {
 
-struct Finding {
-  std::string series;  // "NB", "WB", "WB less NB", ...
-  std::string place;   // "0.5 MPa", "0.5 to 14 MPa", ... or nothing
-  Estimate value;      // what is shown
-  Outcome outcome = Outcome::within_scatter;
-  bool counts = true;  // or is shown only
-};
-
-struct Evidence {
-  std::vector<Finding> findings;
-  std::vector<std::string> missing;  // what the runs would have to have besides
-
-  void add(const Evidence& other);
-  // The same with a word behind the name of every series, to tell numbers of two kinds apart.
-  [[nodiscard]] Evidence labelled(const std::string& text) const;
-  // The same, but what is within the scatter agrees: for statements that something does not happen.
-  [[nodiscard]] Evidence unless_against() const;
-};
-
 // A number read from a run; not a number where the run does not have it.
 using Feature = std::function<double(const Run&)>;
 
 // Is the number claimed to be large or to be small?
 enum class Claimed { above, below };
 
-// The numbers of all samples of a series that have it, in the order of the samples.
+struct Finding {
+  std::string series;  // "NB", "WB", "WB less NB", ...
+  std::string place;   // "0.5 MPa", ...
+  Estimate value;
+  Outcome outcome = Outcome::within_scatter;
+  bool counts = true;  // or is shown only
+};
+
+// A statement that one number is above, or below, a threshold.
+struct Part {
+  std::string label = {};     // or nothing, where a claim has one part
+  std::string quantity = {};  // what the pooled number is: "mean", "slope per tenfold pressure"
+  Claimed claimed = Claimed::above;
+  double threshold = 0;
+  double margin = 0;  // an effect of less counts as none; 0 where the threshold says it all
+  std::vector<Finding> findings = {};
+  Estimate pooled = {};
+  Shown shown = Shown::neither;
+  // A series at a pressure is clearly the other way, at the level divided by their number
+  // (Bonferroni).
+  bool contradicted = false;
+  std::vector<std::string> missing = {};  // what the runs would have to have besides
+};
+
+struct Evidence {
+  std::vector<Part> parts;
+  std::vector<Finding> shown_only = {};
+};
+
+// The numbers of all samples of a series that have it, by sample; in the second form also of a row.
+Cell cell(const std::vector<const Run*>& runs, const Feature& feature);
 std::vector<double> values(const Results& results, Mode mode, double pressure,
                            const Feature& feature);
+// Sample by sample: both started from the same samples.
+Cell less(const Cell& cell, const Cell& other);
 
-// One finding a pressure: the feature of one mode less that of the other, sample by sample, since
-// both started from the same samples.
-Evidence differences(const Results& results, Mode mode, Mode less, const std::vector<double>& at,
-                     const Feature& feature, Claimed claimed);
-// The differences of the samples themselves at one pressure.
-std::vector<double> paired(const Results& results, Mode mode, double pressure, Mode less_mode,
-                           double less_pressure, const Feature& feature);
+// What a part is apart from its numbers.
+struct Asked {
+  std::string label = {};
+  Claimed claimed = Claimed::above;
+  double threshold = 0;
+  double margin = 0;
+};
 
-// One finding a mode and pressure: the feature is clearly above, or below, 0 or another value that
-// chance would give.
-Evidence levels(const Results& results, const std::vector<Mode>& modes,
-                const std::vector<double>& at, const Feature& feature, Claimed claimed,
-                double chance = 0);
-// The same against a tolerance, which leaves room already: the mean decides.
-Evidence mean_levels(const Results& results, const std::vector<Mode>& modes,
-                     const std::vector<double>& at, const Feature& feature, Claimed claimed,
-                     double tolerance);
-
-// One finding a mode: how the feature changes from the lowest to the highest pressure, sample by
-// sample; it agrees if that does and no step between neighbouring pressures is against it. The
-// means at the pressures are shown.
-Evidence trend_with_pressure(const Results& results, const std::vector<Mode>& modes,
-                             const Feature& feature, Claimed claimed);
+// The mean, over the pressures, of the feature with breakage less that without.
+Part difference_part(const Results& results, const Asked& asked, const std::vector<double>& at,
+                     const Feature& feature);
+// The mean of the feature over series and pressures.
+Part level_part(const Results& results, const Asked& asked, const std::vector<Mode>& modes,
+                const std::vector<double>& at, const Feature& feature);
+// The slope of the feature over the decimal logarithm of all pressures, mean of the series; a step
+// between neighbouring pressures that is clearly the other way contradicts it.
+Part slope_part(const Results& results, const Asked& asked, const std::vector<Mode>& modes,
+                const Feature& feature);
+// A contrast of the pressures, mean of the series; single pressures cannot contradict it.
+Part contrast_part(const Results& results, const Asked& asked, const std::vector<Mode>& modes,
+                   const std::vector<double>& at, const std::vector<double>& weights,
+                   const std::string& quantity, const Feature& feature);
 
 }  // namespace report

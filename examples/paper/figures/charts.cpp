@@ -21,9 +21,7 @@ constexpr std::array pressure_colours = {"#472d7b", "#2f6c9e", "#1f9a8a",
 constexpr auto strain_label = "axial strain [%]";
 
 std::string title_of(Mode mode) {
-  return mode == Mode::nb   ? "without breakage (NB)"
-         : mode == Mode::wb ? "with breakage (WB)"
-                            : "with breakage, two contacts pinned";
+  return mode == Mode::nb ? "without breakage (NB)" : "with breakage (WB)";
 }
 
 // The column at a strain, between two records in proportion.
@@ -107,11 +105,9 @@ void share_scale(std::vector<Chart>& charts) {
 }  // namespace
 
 std::vector<Chart> pressure_charts(const Results& results, const std::string& column,
-                                   const std::string& label, double factor, bool pinned) {
-  std::vector<Mode> modes{Mode::nb, Mode::wb};
-  if (pinned && results.has(Mode::pinned)) modes.push_back(Mode::pinned);
+                                   const std::string& label, double factor) {
   std::vector<Chart> charts;
-  for (const Mode mode : modes) {
+  for (const Mode mode : {Mode::nb, Mode::wb}) {
     const std::string letter(1, static_cast<char>('a' + charts.size()));
     Chart chart{"(" + letter + ") " + title_of(mode), strain_label, label, {}};
     for (std::size_t i = 0; i < pressures.size(); ++i)

@@ -11,10 +11,10 @@
 
 namespace report {
 
-// (a) without, (b) with breakage and, where asked for, (c) with pinned supports: a column of the
-// curve against axial strain at every pressure, all to one scale.
+// (a) without and (b) with breakage: a column of the curve against axial strain at every pressure,
+// all to one scale.
 std::vector<riprap::Chart> pressure_charts(const Results& results, const std::string& column,
-                                           const std::string& label, double factor, bool pinned);
+                                           const std::string& label, double factor);
 // Fig. 15: the three anisotropies, with and without breakage, at 0.5, 4 and 14 MPa.
 std::vector<riprap::Chart> anisotropy_charts(const Results& results);
 // Fig. 20: sin phi by eqs 12 and 14 at 0.5 and 14 MPa; (a) without, (b) with breakage.

@@ -126,16 +126,14 @@ std::vector<Figure> particle_figures(const Results& r) {
             "The size of a dot is that of Rat. The end of shear, and 14 MPa, are there to compare "
             "with.",
             {{{Mode::wb, low, "rat_dots", "WB, 0.5 MPa, start of shear"},
-              {Mode::pinned, low, "rat_dots", "two contacts pinned, 0.5 MPa, start of shear"}},
-             {{Mode::wb, low, "rat_dots_end", "WB, 0.5 MPa, end"},
+              {Mode::wb, low, "rat_dots_end", "WB, 0.5 MPa, end"},
               {Mode::wb, high, "rat_dots_end", "WB, 14 MPa, end"}}}),
       drawn(
           r, 9, "From forces to pieces: one particle of a run",
           "The first particle with three contacts or more that breaks in shear: forces on it, its "
           "support, failed elements, the lines fitted along x and along y, and the pieces. With "
           "inertia relief the particle has no fixed point; the paper pins two contacts.",
-          {{{Mode::wb, two, "particle_process", "WB, 2 MPa, inertia relief"}},
-           {{Mode::pinned, two, "particle_process", "2 MPa, two contacts pinned"}}}),
+          {{{Mode::wb, two, "particle_process", "WB, 2 MPa, inertia relief"}}}),
       drawn(r, 10, "Movement of the particles over the last 6 % of strain, at 2 MPa",
             "Above without, below with breakage.", snapshots({"06", "12", "18"}, "movement")),
       drawn(r, 11, "Normal contact forces at 2 MPa, in the paper's classes",
@@ -144,7 +142,7 @@ std::vector<Figure> particle_figures(const Results& r) {
               std::string("Contacts per particle, M/N, as in eq. 8; every contact belongs to two "
                           "particles, so that the usual coordination number is twice that. ") +
                   mean_note,
-              pressure_charts(r, "contacts_per_particle", "contacts per particle M/N", 1, true)),
+              pressure_charts(r, "contacts_per_particle", "contacts per particle M/N", 1)),
       drawn(r, 13, "Contacts of every particle at 2 MPa",
             "The size of a dot is the number of contacts. Above without, below with breakage.",
             snapshots({"00", "06", "18"}, "coordination"))};
@@ -156,18 +154,17 @@ std::vector<Figure> figures(const Results& r, const std::filesystem::path& folde
   std::vector<Figure> all = unconfined_figures(folder / "unconfined");
   for (Figure& figure : particle_figures(r)) all.push_back(std::move(figure));
   const auto by_pressure = [&](int number, const std::string& title, const std::string& column,
-                               const std::string& label, double factor, bool pinned) {
-    all.push_back(
-        charted(number, title, mean_note, pressure_charts(r, column, label, factor, pinned)));
+                               const std::string& label, double factor) {
+    all.push_back(charted(number, title, mean_note, pressure_charts(r, column, label, factor)));
   };
   by_pressure(14, "Volumetric strain against axial strain; contraction is positive",
-              "volumetric_strain", "volumetric strain [%]", 100, true);
+              "volumetric_strain", "volumetric strain [%]", 100);
   all.push_back(charted(15, "The three anisotropy coefficients at 0.5, 4 and 14 MPa", mean_note,
                         anisotropy_charts(r)));
-  by_pressure(16, "Anisotropy of contact normals", "a", "a", 1, false);
-  by_pressure(17, "Anisotropy of normal forces", "a_n", "a_n", 1, false);
-  by_pressure(18, "Anisotropy of tangential forces", "a_t", "a_t", 1, false);
-  by_pressure(19, "Mobilised friction against axial strain", "sin_phi", "sin phi", 1, true);
+  by_pressure(16, "Anisotropy of contact normals", "a", "a", 1);
+  by_pressure(17, "Anisotropy of normal forces", "a_n", "a_n", 1);
+  by_pressure(18, "Anisotropy of tangential forces", "a_t", "a_t", 1);
+  by_pressure(19, "Mobilised friction against axial strain", "sin_phi", "sin phi", 1);
   all.push_back(charted(20, "Friction by eq. 14, from the anisotropies, and by eq. 12", mean_note,
                         fabric_charts(r)));
   all.push_back(

@@ -20,18 +20,23 @@ std::string mark(const Finding& f) {
   return f.outcome == Outcome::agrees ? " ✓" : f.outcome == Outcome::against ? " ✗" : " ~";
 }
 
-// A row a series, a column a place.
+// A row a series of a part, a column a place.
 Table numbers_table(const Evidence& evidence) {
   std::vector<std::string> columns;
   std::vector<std::string> series;
   std::map<std::pair<std::string, std::string>, std::string> cells;
-  for (const Finding& f : evidence.findings) {
-    if (std::find(columns.begin(), columns.end(), f.place) == columns.end())
-      columns.push_back(f.place);
-    if (std::find(series.begin(), series.end(), f.series) == series.end())
-      series.push_back(f.series);
-    cells[{f.series, f.place}] = number_text(f.value) + mark(f);
-  }
+  const auto note = [](std::vector<std::string>& all, const std::string& one) {
+    if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+  };
+  const auto add = [&](const std::string& label, const Finding& f) {
+    const std::string row = f.series + (label.empty() ? "" : ", " + label);
+    note(columns, f.place);
+    note(series, row);
+    cells[{row, f.place}] = number_text(f.value) + mark(f);
+  };
+  for (const Part& part : evidence.parts)
+    for (const Finding& f : part.findings) add(part.label, f);
+  for (const Finding& f : evidence.shown_only) add("", f);
   Table table{{""}, {}};
   table.head.insert(table.head.end(), columns.begin(), columns.end());
   for (const std::string& s : series) {
@@ -128,9 +133,6 @@ void add_claim(Document& document, const ShownClaim& c) {
   List lines;
   lines.items.push_back("Reason: " + sentence(c.reason));
   lines.items.push_back("Rule: " + sentence(c.rule));
-  if (!c.pinned_verdict.empty())
-    lines.items.push_back("With two contacts pinned: **" + c.pinned_verdict + "**. " +
-                          c.pinned_reason);
   document.push_back(lines);
   if (c.numbers.rows.empty()) return;
   document.push_back(Paragraph{"Measured, " + c.quantity + ":"});
@@ -141,21 +143,7 @@ void add_claim(Document& document, const ShownClaim& c) {
 
 std::vector<ShownClaim> shown_claims(const Results& results, const std::filesystem::path& folder) {
   std::vector<ShownClaim> all = unconfined_claims(folder / "unconfined" / "unconfined.json");
-  const std::vector<Claim> pinned =
-      results.has(Mode::pinned) ? judge_claims(results, Mode::pinned) : std::vector<Claim>{};
-  std::size_t k = 0;
-  for (const Claim& claim : judge_claims(results, Mode::wb)) {
-    all.push_back(shown(claim));
-    if (k < pinned.size()) {
-      all.back().pinned_verdict = to_text(pinned[k].verdict);
-      all.back().pinned_reason = pinned[k].reason;
-      const Json other = to_json(pinned[k]);
-      all.back().json["pinned"] = {{"numbers", other.at("numbers")},
-                                   {"verdict", other.at("verdict")},
-                                   {"reason", other.at("reason")}};
-    }
-    ++k;
-  }
+  for (const Claim& claim : judge_claims(results)) all.push_back(shown(claim));
   std::stable_sort(all.begin(), all.end(), [](const ShownClaim& a, const ShownClaim& b) {
     return a.figures.front() < b.figures.front();
   });
@@ -170,23 +158,20 @@ std::string count_text(const std::vector<ShownClaim>& claims) {
   };
   std::string out = "Of " + std::to_string(claims.size()) + " statements of result, " +
                     count("holds") + " **hold**, " + count("holds in part") +
-                    " **hold in part** and " + count("does not hold") + " **do not hold**";
+                    " **hold in part**, " + count("open") + " are **open** and " +
+                    count("does not hold") + " **do not hold**";
   const std::string left = count("not judged");
   return out + (left == "0" ? "." : "; " + left + " could not be judged from these runs.");
 }
 
 Table summary_table(const std::vector<ShownClaim>& claims) {
-  const bool pinned = std::any_of(claims.begin(), claims.end(),
-                                  [](const ShownClaim& c) { return !c.pinned_verdict.empty(); });
   Table table{{"", "the paper's statement, in our words", "section", "shown with", "verdict"}, {}};
-  if (pinned) table.head.push_back("two contacts pinned");
   for (const ShownClaim& c : claims) {
     std::string links;
     for (const int figure : c.figures) links += (links.empty() ? "" : ", ") + figure_link(figure);
     const std::string number = std::to_string(c.number);
     table.rows.push_back({"[" + number + "](#claim-" + number + ")", sentence(c.text), c.section,
                           links, "**" + c.verdict + "**"});
-    if (pinned) table.rows.back().push_back(c.pinned_verdict);
   }
   return table;
 }

@@ -11,8 +11,7 @@
 
 namespace report {
 
-// A claim with what the other support mode makes of it, or one that the study of unconfined tests
-// has judged.
+// A claim, or one that the study of unconfined tests has judged.
 struct ShownClaim {
   int number = 0;
   Json json = {};  // as claims.json has it
@@ -22,8 +21,6 @@ struct ShownClaim {
   std::string quantity = {};
   std::string verdict = {};
   std::string reason = {};
-  std::string pinned_verdict = {};
-  std::string pinned_reason = {};
   std::vector<int> figures = {};
   Table numbers = {};
 };

@@ -24,7 +24,7 @@ pre { padding: .6rem; overflow-x: auto; }
 figure { flex: 1 1 18rem; margin: 0; break-inside: avoid; }
 figcaption { font-size: 13px; text-align: center; }
 svg { max-width: 100%; height: auto; display: block; margin: 0 auto; }
-.holds { color: #14692b; } .in-part { color: #8a5a00; } .fails { color: #a11d1d; }
+.holds { color: #14692b; } .in-part { color: #8a5a00; } .open { color: #555; } .fails { color: #a11d1d; }
 @media print { body { max-width: none; margin: 0; font-size: 10pt; } table { font-size: 8pt; }
   h2, h3 { break-after: avoid; } tr { break-inside: avoid; } a { color: inherit; } }
 )";
@@ -93,6 +93,7 @@ bool take_link(const std::string& text, std::size_t& at, std::string& inner, std
 std::string strong(const std::string& text) {
   const std::string colour = text == "holds"           ? " class=\"holds\""
                              : text == "holds in part" ? " class=\"in-part\""
+                             : text == "open"          ? " class=\"open\""
                              : text == "does not hold" ? " class=\"fails\""
                                                        : "";
   return "<strong" + colour + ">" + inline_html(text) + "</strong>";

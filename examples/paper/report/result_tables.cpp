@@ -42,7 +42,7 @@ struct Column {
 Table table_of(const Results& results, const std::vector<Column>& columns) {
   Table table{{"", "samples"}, {}};
   for (const Column& c : columns) table.head.push_back(c.name);
-  for (const Mode mode : {Mode::nb, Mode::wb, Mode::pinned})
+  for (const Mode mode : {Mode::nb, Mode::wb})
     for (const double pressure : pressures) {
       const std::size_t samples = results.of(mode, pressure).size();
       if (samples == 0) continue;

@@ -28,25 +28,25 @@ std::vector<double> reals(const Json& values) {
 Mode mode_of(const std::string& text) {
   if (text == "nb") return Mode::nb;
   if (text == "wb") return Mode::wb;
-  if (text == "pinned") return Mode::pinned;
-  throw riprap::InvalidInput("riprap: mode \"" + text + "\" of a run must be nb, wb or pinned");
+  throw riprap::InvalidInput("riprap: mode \"" + text + "\" of a run must be nb or wb");
 }
 
-std::vector<Bands> read_bands(const Json& json) {
-  const std::vector<double> strain = reals(json.at("axial_strain"));
-  const std::vector<double> radius = reals(json.at("radius_share"));
-  const std::vector<double> diagonal = reals(json.at("diagonal_share"));
-  std::vector<Bands> bands;
-  for (std::size_t i = 0; i < strain.size(); ++i)
-    bands.push_back({strain[i], radius.at(i), diagonal.at(i)});
-  return bands;
+ShearWindow read_shear(const Json& json) {
+  ShearWindow window{.axial_strain = json.at("axial_strain"), .particles = {}};
+  const riprap::Vec2 stretch{json.at("stretch_at_begin").at(0).get<double>(),
+                             json.at("stretch_at_begin").at(1).get<double>()};
+  const std::vector<double> x = reals(json.at("x_share"));
+  const std::vector<double> y = reals(json.at("y_share"));
+  const std::vector<double> shear = reals(json.at("shear"));
+  for (std::size_t i = 0; i < x.size(); ++i)
+    window.particles.push_back(
+        {riprap::Vec2{x[i], y.at(i)}.cwiseProduct(stretch), {x[i], y[i]}, shear.at(i)});
+  return window;
 }
 
 }  // namespace
 
-std::string to_text(Mode mode) {
-  return mode == Mode::nb ? "NB" : mode == Mode::wb ? "WB" : "pinned";
-}
+std::string to_text(Mode mode) { return mode == Mode::nb ? "NB" : "WB"; }
 
 std::string pressure_text(double pressure) {
   char buffer[32];
@@ -72,13 +72,15 @@ std::size_t Run::breaks_in_shear() const {
 }
 
 std::string Run::name() const {
-  return to_text(mode) + " " + pressure_text(pressure) + ", sample " + std::to_string(seed);
+  return to_text(mode) + " " + pressure_text(pressure) + ", sample " + std::to_string(seed) +
+         (variation.empty() ? "" : ", " + variation);
 }
 
 Run read_run(const Json& json, const std::filesystem::path& folder) {
   Run run;
   run.folder = folder;
   run.mode = mode_of(json.at("mode"));
+  run.variation = json.value("variation", "");
   run.pressure = json.at("pressure_Pa");
   run.seed = json.at("seed");
   run.particles = json.at("particles");
@@ -90,7 +92,9 @@ Run read_run(const Json& json, const std::filesystem::path& folder) {
       throw riprap::InvalidInput("riprap: column \"" + name + "\" of " + run.name() +
                                  " must be as long as that of the axial strain");
   for (const Json& b : json.at("breaks")) {
-    run.breaks.push_back({b.at("stage") == "shear", real(b.at("radius_share")), {}});
+    run.breaks.push_back({.in_shear = b.at("stage") == "shear",
+                          .radius_share = real(b.at("radius_share")),
+                          .crack_length = real(b.at("crack_m"))});
     if (b.contains("band_share") && !b.at("band_share").is_null())
       run.breaks.back().band_share = b.at("band_share").get<double>();
   }
@@ -100,7 +104,8 @@ Run read_run(const Json& json, const std::filesystem::path& folder) {
   const Json& forces = json.at("normal_forces");
   run.force_axial = reals(forces.at("mean_near_axis_2_N"));
   run.force_side = reals(forces.at("mean_near_axis_1_N"));
-  if (json.contains("bands")) run.bands = read_bands(json.at("bands"));
+  if (json.contains("shear_around"))
+    for (const Json& window : json.at("shear_around")) run.shear.push_back(read_shear(window));
   for (const auto& [name, value] : json.at("numbers").items())
     if (value.is_number() || value.is_null()) run.numbers[name] = real(value);
   for (const Json& warning : json.at("warnings")) run.warnings.push_back(warning);
@@ -108,14 +113,17 @@ Run read_run(const Json& json, const std::filesystem::path& folder) {
 }
 
 std::vector<const Run*> Results::of(Mode mode, double pressure) const {
-  std::vector<const Run*> out;
-  for (const Run& run : runs)
-    if (run.mode == mode && std::abs(run.pressure / pressure - 1) < 1e-9) out.push_back(&run);
-  return out;
+  return of_row("", mode, pressure);
 }
 
-bool Results::has(Mode mode) const {
-  return std::any_of(runs.begin(), runs.end(), [&](const Run& r) { return r.mode == mode; });
+std::vector<const Run*> Results::of_row(const std::string& variation, Mode mode,
+                                        double pressure) const {
+  std::vector<const Run*> out;
+  for (const Run& run : variation.empty() ? runs : rows)
+    if (run.variation == variation && run.mode == mode &&
+        std::abs(run.pressure / pressure - 1) < 1e-9)
+      out.push_back(&run);
+  return out;
 }
 
 const Run* Results::first(Mode mode, double pressure) const {
@@ -132,23 +140,33 @@ Json read_json(const std::filesystem::path& file) {
   }
 }
 
-Results read_results(const std::filesystem::path& folder) {
-  Results results;
-  if (std::filesystem::is_directory(folder / "runs"))
-    for (const auto& entry : std::filesystem::directory_iterator(folder / "runs")) {
-      const auto file = entry.path() / "run.json";
-      if (!std::filesystem::exists(file)) continue;
-      try {
-        results.runs.push_back(read_run(read_json(file), entry.path()));
-      } catch (const Json::exception& e) {
-        throw riprap::InvalidInput("riprap: " + file.string() + ": " + e.what());
-      }
+namespace {
+
+std::vector<Run> read_runs(const std::filesystem::path& folder) {
+  std::vector<Run> runs;
+  if (!std::filesystem::is_directory(folder)) return runs;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const auto file = entry.path() / "run.json";
+    if (!std::filesystem::exists(file)) continue;
+    try {
+      runs.push_back(read_run(read_json(file), entry.path()));
+    } catch (const Json::exception& e) {
+      throw riprap::InvalidInput("riprap: " + file.string() + ": " + e.what());
     }
+  }
+  std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
+    return std::tie(a.variation, a.mode, a.pressure, a.seed) <
+           std::tie(b.variation, b.mode, b.pressure, b.seed);
+  });
+  return runs;
+}
+
+}  // namespace
+
+Results read_results(const std::filesystem::path& folder) {
+  Results results{.runs = read_runs(folder / "runs"), .rows = read_runs(folder / "rows")};
   if (results.runs.empty())
     throw riprap::InvalidInput("riprap: no finished run in " + (folder / "runs").string());
-  std::sort(results.runs.begin(), results.runs.end(), [](const Run& a, const Run& b) {
-    return std::tuple(a.mode, a.pressure, a.seed) < std::tuple(b.mode, b.pressure, b.seed);
-  });
   return results;
 }
 

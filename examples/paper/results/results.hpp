@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
-// The runs of a study, read back from their folders: runs/MODE_PRESSURE_SEED/run.json.
+// The runs of a study, read back from their folders: runs/MODE_PRESSURE_SEED/run.json, and
+// rows/MODE_PRESSURE_SEED_VARIATION/run.json.
 
 #include <array>
 #include <filesystem>
@@ -10,14 +11,16 @@
 #include <string>
 #include <vector>
 
+#include "shear_field.hpp"
+
 namespace report {
 
 using Json = nlohmann::ordered_json;
 
-// Without breakage, with breakage, with breakage and two pinned contacts.
-enum class Mode { nb, wb, pinned };
+// Without breakage, with breakage.
+enum class Mode { nb, wb };
 
-// "NB", "WB", "pinned".
+// "NB", "WB".
 std::string to_text(Mode mode);
 
 // The paper's confining pressures [Pa].
@@ -26,21 +29,16 @@ inline constexpr std::array<double, 6> pressures = {0.5e6, 1e6, 2e6, 4e6, 8e6, 1
 std::string pressure_text(double pressure);
 
 struct Break {
-  bool in_shear = true;              // or in the hydrostatic stage
-  double radius_share = 0;           // distance of the parent from the centre over the radius
-  std::optional<double> band_share;  // share of the particles with less shear around them
-};
-
-// The tenth of the particles with the most shear around them, up to a strain.
-struct Bands {
-  double axial_strain = 0;
-  double radius_share = 0;    // mean distance from the centre over the radius
-  double diagonal_share = 0;  // share of them within 22.5 degrees of a diagonal through the centre
+  bool in_shear = true;                   // or in the hydrostatic stage
+  double radius_share = 0;                // distance of the parent from the centre over the radius
+  double crack_length = 0;                // [m]
+  std::optional<double> band_share = {};  // share of the particles with less shear around them
 };
 
 struct Run {
   Mode mode = Mode::nb;
-  double pressure = 0;  // [Pa]
+  std::string variation = {};  // what a row of the study changes; nothing in the series
+  double pressure = 0;         // [Pa]
   int seed = 0;
   std::filesystem::path folder;
   std::size_t particles = 0;
@@ -51,7 +49,7 @@ struct Run {
   std::vector<double> rat_at_shear_start;
   std::vector<double> ring_displacement;        // [m], from the centre outwards
   std::vector<double> force_axial, force_side;  // [N], from the start of shear on
-  std::vector<Bands> bands;
+  std::vector<ShearWindow> shear;               // of the stretches of 6 % of strain
   std::map<std::string, double> numbers;
   std::vector<std::string> warnings;
 
@@ -69,8 +67,12 @@ Run read_run(const Json& json, const std::filesystem::path& folder);
 struct Results {
   std::vector<Run> runs;  // by mode, pressure and seed
 
+  std::vector<Run> rows;  // by variation, mode, pressure and seed
+
   [[nodiscard]] std::vector<const Run*> of(Mode mode, double pressure) const;
-  [[nodiscard]] bool has(Mode mode) const;
+  // Of a row of the study, or of the series for nothing.
+  [[nodiscard]] std::vector<const Run*> of_row(const std::string& variation, Mode mode,
+                                               double pressure) const;
   // The first sample's run, or none.
   [[nodiscard]] const Run* first(Mode mode, double pressure) const;
 };

@@ -13,13 +13,13 @@ namespace rockfill {
 
 namespace {
 
-constexpr std::array modes{"nb", "wb", "pinned"};
+constexpr std::array modes{"nb", "wb"};
 
 // Throws for any other mode.
 std::size_t rank(const std::string& mode) {
   const auto found = std::find(modes.begin(), modes.end(), mode);
   if (found == modes.end())
-    throw riprap::InvalidInput("mode \"" + mode + "\" of a run must be nb, wb or pinned");
+    throw riprap::InvalidInput("mode \"" + mode + "\" of a run must be nb or wb");
   return static_cast<std::size_t>(found - modes.begin());
 }
 

@@ -16,7 +16,7 @@ namespace rockfill {
 using Json = nlohmann::ordered_json;
 
 struct Sample {
-  std::string mode;                 // "nb", "wb" or "pinned"
+  std::string mode;                 // "nb" or "wb"
   double pressure = 0;              // [Pa]
   riprap::SecantStrength strength;  // at the peak
   riprap::SecantModulus e_50;
@@ -56,7 +56,7 @@ struct Group {
   static Statistic statistic_of(const std::vector<double>& values);
 };
 
-// By mode, in the order nb, wb, pinned, and ascending pressure.
+// By mode, in the order nb, wb, and ascending pressure.
 std::vector<Group> grouped(const std::vector<Json>& runs);
 
 // The mean share that is finer than each of `count` sizes, evenly spread over the logarithm of size

@@ -4,10 +4,11 @@
 // particles broke.
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "break_place.hpp"
-#include "run_plan.hpp"
+#include "plan.hpp"
 #include "shear_bands.hpp"
 
 namespace study {
@@ -27,10 +28,7 @@ class BandRecord {
         view.axial_strain() < ends[next_] - 1e-9)
       return;
     all_ = shear_around(movement_.moves(view.sim.particles()), stretch_);
-    const Bands found = bands(all_, radius_);
-    bands_["axial_strain"].push_back(view.axial_strain());
-    bands_["radius_share"].push_back(found.radius_share);
-    bands_["diagonal_share"].push_back(found.diagonal_share);
+    windows_.push_back(window_json(view.axial_strain()));
     judge_breaks();
     ++next_;
     begin(view);
@@ -47,7 +45,7 @@ class BandRecord {
   void write(Json& run) {
     // What broke behind the last window is compared with that.
     if (!all_.empty()) judge_breaks();
-    run["bands"] = bands_;
+    run["shear_around"] = windows_;
     std::size_t next = 0;
     for (Json& b : run["breaks"])
       if (b["stage"] == riprap::to_text(riprap::Stage::shear) && next < shares_.size())
@@ -62,6 +60,22 @@ class BandRecord {
     movement_.begin(view.sim.particles());
     stretch_ = view.stretch;
   }
+  // Of every particle, where it was without the strain so far, over the radius, and the shear
+  // around it; more digits than that mean nothing.
+  [[nodiscard]] Json window_json(double strain) const {
+    const auto rounded = [](double value, double unit) { return std::round(value * unit) / unit; };
+    Json j = {{"axial_strain", strain},
+              {"stretch_at_begin", {stretch_.x(), stretch_.y()}},
+              {"x_share", Json::array()},
+              {"y_share", Json::array()},
+              {"shear", Json::array()}};
+    for (const Sheared& s : all_) {
+      j["x_share"].push_back(rounded(s.place.x() / radius_, 1e4));
+      j["y_share"].push_back(rounded(s.place.y() / radius_, 1e4));
+      j["shear"].push_back(rounded(s.shear, 1e5));
+    }
+    return j;
+  }
   void judge_breaks() {
     for (const riprap::Vec2& place : waiting_) shares_.push_back(band_share(all_, place));
     waiting_.clear();
@@ -74,9 +88,7 @@ class BandRecord {
   std::vector<Sheared> all_;
   std::vector<riprap::Vec2> waiting_;  // where particles broke in this window
   std::vector<double> shares_;         // of all breaks in shear, in their order
-  Json bands_ = {{"axial_strain", Json::array()},
-                 {"radius_share", Json::array()},
-                 {"diagonal_share", Json::array()}};
+  Json windows_ = Json::array();
 };
 
 }  // namespace study

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Curve, grading and numbers of a run, as run.json has them.
+// Curve, grading, energy and numbers of a run, as run.json has them.
 
 #include "run_json.hpp"
 
@@ -48,6 +48,8 @@ Json curve_json(const riprap::Curve& curve) {
   column("a", [](const Point& p) { return p.fabric.normals.coefficient; });
   column("a_n", [](const Point& p) { return p.fabric.normal_forces.coefficient; });
   column("a_t", [](const Point& p) { return p.fabric.tangential_forces.coefficient; });
+  column("b_n", [](const Point& p) { return p.fabric.normal_branches.coefficient; });
+  column("b_t", [](const Point& p) { return p.fabric.tangential_branches.coefficient; });
   column("coordination_number", [](const Point& p) { return p.coordination.coordination_number; });
   column("contacts_per_particle",
          [](const Point& p) { return p.coordination.contacts_per_particle; });
@@ -88,6 +90,18 @@ Json numbers_json(const riprap::Curve& curve, const riprap::BiaxialResult& resul
       {"lost_particles", largest(curve, 0, [](const Point& p) { return p.lost_particles; })},
       {"confinement_error_mean", result.mean_confinement_error},
       {"energy_error", curve.points().back().energy_error()}};
+}
+
+Json energy_json(const riprap::Curve& curve) {
+  const riprap::EnergyTerms& e = curve.points().back().energy;
+  return {{"boundary_work_J", e.boundary_work},
+          {"kinetic_J", e.kinetic},
+          {"stored_J", e.stored},
+          {"slip_J", e.slip},
+          {"damping_J", e.damping},
+          {"breakage_J", e.breakage},
+          {"law_residual_J", e.law_residual},
+          {"unclosed_J", e.unclosed()}};
 }
 
 Json stages_json(const riprap::BiaxialResult& result) {

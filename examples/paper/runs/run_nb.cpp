@@ -4,5 +4,5 @@
 #include "study_run.hpp"
 
 void study::run_nb(const RunPlan& plan, const std::filesystem::path& folder, WorkDone& done) {
-  run_model(plan, riprap::Model{}.criterion(riprap::NeverFails{}), folder, done);
+  run_model(plan, unbreakable_model(plan), folder, done);
 }

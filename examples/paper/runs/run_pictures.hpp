@@ -17,7 +17,7 @@
 #include <riprap/output/force_chain_picture.hpp>
 #include <riprap/output/movement_picture.hpp>
 
-#include "run_plan.hpp"
+#include "plan.hpp"
 
 namespace study {
 
@@ -84,9 +84,7 @@ class RunPictures {
   [[nodiscard]] bool shows_shear() const {
     return plan_.is(Mode::nb, 14e6) || plan_.is(Mode::wb, 14e6);
   }
-  [[nodiscard]] bool shows_rat() const {
-    return plan_.is(Mode::wb, 0.5e6) || plan_.is(Mode::pinned, 0.5e6);
-  }
+  [[nodiscard]] bool shows_rat() const { return plan_.is(Mode::wb, 0.5e6); }
   [[nodiscard]] bool shows_rat_at_end() const {
     return plan_.is(Mode::wb, 0.5e6) || plan_.is(Mode::wb, 14e6);
   }
@@ -153,8 +151,7 @@ class RunPictures {
                               .samples = {0.05, 0.1, 0.2, 0.4, 0.6},
                               .full_value = 0.6,
                               .critical = critical},
-                             "Rat " + when + ", " + pressure_text(plan_.pressure) +
-                                 (plan_.mode == Mode::pinned ? ", pinned" : "")),
+                             "Rat " + when + ", " + pressure_text(plan_.pressure)),
          name);
   }
 

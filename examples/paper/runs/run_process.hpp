@@ -11,7 +11,7 @@
 #include <riprap/simulation/break_event.hpp>
 
 #include "../../single_particle/analysis.hpp"
-#include "run_plan.hpp"
+#include "plan.hpp"
 
 namespace study {
 
@@ -23,8 +23,7 @@ void draw_process(const Case& particle, const riprap::BreakEvent& event,
 // Catches the first break in shear of a particle with three contacts or more at 2 MPa.
 class BreakProcess {
  public:
-  explicit BreakProcess(const RunPlan& plan)
-      : wanted_(plan.pressure == 2e6), pinned_(plan.mode == Mode::pinned) {}
+  explicit BreakProcess(const RunPlan& plan) : wanted_(plan.pressure == 2e6) {}
 
   template <class Sim>
   void begin_stage(const riprap::BiaxialView<Sim>& view) {
@@ -56,7 +55,6 @@ class BreakProcess {
                        .forces = loads_[i],
                        .rock = rock_,
                        .thickness = particles_->thickness(),
-                       .pinned = pinned_,
                        .rotation = particles_->body(i).rotation,
                        .mean_area = mean_area_};
         event_ = event;
@@ -72,7 +70,6 @@ class BreakProcess {
 
  private:
   bool wanted_;
-  bool pinned_;
   bool watching_ = false;
   std::optional<riprap::Particles> particles_;
   std::vector<std::vector<PointForce>> loads_;  // by body

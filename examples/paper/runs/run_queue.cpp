@@ -53,13 +53,16 @@ void make_run(const RunPlan& plan, const fs::path& folder, WorkDone& done) {
   // Nothing of an earlier run is to be taken for a part of this one.
   fs::remove_all(folder);
   fs::create_directories(folder);
-  switch (plan.mode) {
-  case Mode::nb:
-    return run_nb(plan, folder, done);
-  case Mode::wb:
-    return run_wb(plan, folder, done);
-  case Mode::pinned:
+  switch (plan.variation) {
+  case Variation::mean_tension_line:
+  case Variation::failure_plane:
+    return run_line_fit(plan, folder, done);
+  case Variation::two_pinned_contacts:
     return run_pinned(plan, folder, done);
+  case Variation::periodic_cell:
+    return run_periodic(plan, folder, done);
+  default:
+    return plan.mode == Mode::nb ? run_nb(plan, folder, done) : run_wb(plan, folder, done);
   }
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "run_plan.hpp"
+#include "plan.hpp"
 
 namespace study {
 

@@ -2,6 +2,7 @@
 #pragma once
 // An observer that keeps what run.json holds beside the curve.
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -13,7 +14,7 @@
 #include <riprap/experiment/incremental_displacement.hpp>
 
 #include "break_place.hpp"
-#include "run_plan.hpp"
+#include "plan.hpp"
 
 namespace study {
 
@@ -35,11 +36,7 @@ class RunRecord {
     if (view.stage == riprap::Stage::hydrostatic) relaxed_ = fingerprint(particles);
     if (view.stage != riprap::Stage::shear) return;
     movement_.begin(particles);
-    if constexpr (Sim::breakable) {
-      const std::vector<double> ratios = view.sim.failed_ratios();
-      for (riprap::BodyIndex i = 0; i < particles.size(); ++i)
-        if (particles.body(i).is_free()) ratios_.push_back(ratios[i]);
-    }
+    if constexpr (Sim::breakable) ratios_ = free_ratios(view.sim);
   }
 
   template <class Sim>
@@ -48,15 +45,22 @@ class RunRecord {
     const std::size_t taken = forces_["axial_strain"].size();
     if (taken < snapshots.size() && view.axial_strain() > snapshots[taken] - 1e-9)
       record_forces(view);
+    if constexpr (Sim::breakable) record_ratios(view);
   }
 
   template <class Sim>
   void record_break(const riprap::BiaxialView<Sim>& view, const riprap::BreakEvent& event) {
     movement_.record_break(view, event);
-    const double distance = break_place(view, event).norm();
+    const riprap::Vec2 place = break_place(view, event) / radius_;
     breaks_.push_back({{"stage", riprap::to_text(view.stage)},
                        {"axial_strain", view.axial_strain()},
-                       {"radius_share", distance / radius_},
+                       {"radius_share", place.norm()},
+                       {"x_share", place.x()},
+                       {"y_share", place.y()},
+                       {"mode", riprap::to_text(event.mode)},
+                       {"area_m2", event.areas[0] + event.areas[1]},
+                       {"smaller_piece_m2", std::min(event.areas[0], event.areas[1])},
+                       {"crack_m", event.crack_length},
                        {"band_share", nullptr}});
   }
 
@@ -71,11 +75,34 @@ class RunRecord {
     run["relaxed_state"] = relaxed_;
     run["breaks"] = breaks_;
     run["rat_at_shear_start"] = ratios_;
+    run["rat_in_shear"] = rat_;
     run["movement"] = movement_json();
     run["normal_forces"] = forces_;
   }
 
  private:
+  template <class Sim>
+  [[nodiscard]] static std::vector<double> free_ratios(const Sim& sim) {
+    const std::vector<double> all = sim.failed_ratios();
+    std::vector<double> ratios;
+    for (riprap::BodyIndex i = 0; i < sim.particles().size(); ++i)
+      if (sim.particles().body(i).is_free()) ratios.push_back(all[i]);
+    return ratios;
+  }
+
+  template <class Sim>
+  void record_ratios(const riprap::BiaxialView<Sim>& view) {
+    constexpr std::array snapshots{0.0, 0.005, 0.01, 0.03, 0.05};
+    const std::size_t taken = rat_["axial_strain"].size();
+    if (taken == snapshots.size() || view.axial_strain() < snapshots[taken] - 1e-9) return;
+    const double critical = view.sim.model().breakage_model.trigger.critical;
+    const std::vector<double> ratios = free_ratios(view.sim);
+    rat_["axial_strain"].push_back(view.axial_strain());
+    rat_["largest"].push_back(*std::max_element(ratios.begin(), ratios.end()));
+    rat_["at_ratf"].push_back(
+        std::count_if(ratios.begin(), ratios.end(), [&](double r) { return r >= critical; }));
+  }
+
   template <class Sim>
   void record_forces(const riprap::BiaxialView<Sim>& view) {
     std::array<double, 2> sum{};
@@ -114,6 +141,9 @@ class RunRecord {
   std::vector<double> ratios_;
   riprap::IncrementalDisplacement movement_;
   std::vector<riprap::Move> moves_;
+  // The largest Rat, and how many free particles stand at RatF and more.
+  Json rat_ = {
+      {"axial_strain", Json::array()}, {"largest", Json::array()}, {"at_ratf", Json::array()}};
   Json forces_ = {{"axial_strain", Json::array()},
                   {"mean_near_axis_2_N", Json::array()},
                   {"mean_near_axis_1_N", Json::array()}};

@@ -4,5 +4,5 @@
 #include "study_run.hpp"
 
 void study::run_wb(const RunPlan& plan, const std::filesystem::path& folder, WorkDone& done) {
-  run_model(plan, riprap::Model{}.splitter(plan.splitter()), folder, done);
+  run_model(plan, breakable_model(plan), folder, done);
 }

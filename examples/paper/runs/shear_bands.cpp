@@ -52,13 +52,6 @@ double maximum_shear(const std::vector<Displaced>& group) {
   return std::hypot(gradient(0, 0) - gradient(1, 1), gradient(0, 1) + gradient(1, 0)) / 2;
 }
 
-bool is_near_diagonal(const Vec2& place) {
-  // |tan| of the angle from axis 1 between 22.5 and 67.5 degrees.
-  const double tangent = std::sqrt(2.0) - 1;
-  const Vec2 size = place.cwiseAbs();
-  return size.minCoeff() > tangent * size.maxCoeff();
-}
-
 }  // namespace
 
 std::vector<Sheared> shear_around(const std::vector<riprap::Move>& moves, const Vec2& stretch) {
@@ -68,20 +61,6 @@ std::vector<Sheared> shear_around(const std::vector<riprap::Move>& moves, const 
   std::vector<Sheared> out;
   for (const Displaced& d : free)
     out.push_back({d.from.cwiseQuotient(stretch), maximum_shear(nearest(free, d.from))});
-  return out;
-}
-
-Bands bands(std::vector<Sheared> all, double radius) {
-  riprap::require(!all.empty(), "number of free particles", 0, "must be above 0");
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Sheared& a, const Sheared& b) { return a.shear > b.shear; });
-  all.resize((all.size() + 9) / 10);
-  Bands out;
-  const auto count = static_cast<double>(all.size());
-  for (const Sheared& s : all) {
-    out.radius_share += s.place.norm() / radius / count;
-    out.diagonal_share += is_near_diagonal(s.place) ? 1 / count : 0;
-  }
   return out;
 }
 

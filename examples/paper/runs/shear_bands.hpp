@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 // Where shear localises: the shear strain around each particle, from what it and its neighbours
-// moved, and where the tenth of the particles with the most of it lies.
+// moved.
 
 #include <vector>
 
@@ -20,15 +20,8 @@ struct Sheared {
 std::vector<Sheared> shear_around(const std::vector<riprap::Move>& moves,
                                   const riprap::Vec2& stretch);
 
-struct Bands {
-  double radius_share = 0;    // mean distance from the centre over the radius
-  double diagonal_share = 0;  // within 22.5 degrees of a diagonal; one half by chance
-};
-
-// Of the tenth of the particles with the largest shear. Throws InvalidInput if there is none.
-Bands bands(std::vector<Sheared> all, double radius);
-
 // Share of the particles with less shear than the one nearest to a place; one half by chance.
+// Throws InvalidInput if there are no particles.
 double band_share(const std::vector<Sheared>& all, const riprap::Vec2& place);
 
 }  // namespace study

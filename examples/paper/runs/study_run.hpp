@@ -10,9 +10,9 @@
 #include <riprap/riprap.hpp>
 
 #include "band_record.hpp"
+#include "plan.hpp"
 #include "run_json.hpp"
 #include "run_pictures.hpp"
-#include "run_plan.hpp"
 #include "run_process.hpp"
 #include "run_record.hpp"
 
@@ -35,13 +35,22 @@ struct WorkMeter {
   }
 };
 
+// The library's defaults with what the plan changes of them.
+inline auto unbreakable_model(const RunPlan& plan) {
+  return with_contacts_of(plan, riprap::Model{}.criterion(riprap::NeverFails{}));
+}
+inline auto breakable_model(const RunPlan& plan) {
+  return with_contacts_of(plan,
+                          riprap::Model{}.criterion(plan.criterion()).splitter(plan.splitter()));
+}
+
 // Throws riprap's errors; writes run.json last, so that a folder with one is complete.
 template <class ModelType>
-void run_model(const RunPlan& plan, ModelType model, const std::filesystem::path& folder,
-               WorkDone& done) {
+void run_model(const RunPlan& plan, ModelType model, const riprap::Assembly& assembly,
+               const std::filesystem::path& folder, WorkDone& done) {
   using namespace riprap;
   const auto begun = std::chrono::steady_clock::now();
-  Simulation sim{std::move(model), random_assembly(plan.assembly()), Rock{}};
+  Simulation sim{std::move(model), assembly, Rock{}};
   const BiaxialTest test = plan.test();
   Curve curve;
   RunRecord record;
@@ -50,6 +59,7 @@ void run_model(const RunPlan& plan, ModelType model, const std::filesystem::path
   BiaxialResult result;
   const WorkMeter meter{plan, done};
   Json j = {{"mode", to_text(plan.mode)},
+            {"variation", to_text(plan.variation)},
             {"pressure_Pa", plan.pressure},
             {"seed", plan.seed},
             {"particles", plan.particles}};
@@ -66,13 +76,15 @@ void run_model(const RunPlan& plan, ModelType model, const std::filesystem::path
     result = test.run(sim, curve, record, band_record, check, meter);
   }
   record.write(j);
-  band_record.write(j);
+  // In a periodic cell there is no centre, and particles leave it on one side to come in again.
+  if (plan.variation != Variation::periodic_cell) band_record.write(j);
   j["curve"] = curve_json(curve);
   j["grading"] = grading_json(sim.particles());
   j["numbers"] = numbers_json(curve, result,
                               stiffness_level(plan.pressure, sim.particles().thickness(),
                                               sim.contacts().law().peak_stiffness()));
   j["stages"] = stages_json(result);
+  j["energy"] = energy_json(curve);
   if (!curve.points().empty())
     check.check_energy(curve.points().back().energy, curve.points().back().axial_strain);
   j["warnings"] = check.warnings();
@@ -82,9 +94,17 @@ void run_model(const RunPlan& plan, ModelType model, const std::filesystem::path
   std::filesystem::rename(folder / "run.json.part", folder / "run.json");
 }
 
-// One source file each, for a program of its own each.
+template <class ModelType>
+void run_model(const RunPlan& plan, ModelType model, const std::filesystem::path& folder,
+               WorkDone& done) {
+  run_model(plan, std::move(model), riprap::random_assembly(plan.assembly()), folder, done);
+}
+
+// A model each, compiled apart from each other.
 void run_nb(const RunPlan& plan, const std::filesystem::path& folder, WorkDone& done);
 void run_wb(const RunPlan& plan, const std::filesystem::path& folder, WorkDone& done);
+void run_line_fit(const RunPlan& plan, const std::filesystem::path& folder, WorkDone& done);
+void run_periodic(const RunPlan& plan, const std::filesystem::path& folder, WorkDone& done);
 void run_pinned(const RunPlan& plan, const std::filesystem::path& folder, WorkDone& done);
 
 }  // namespace study

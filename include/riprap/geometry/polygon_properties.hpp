@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Area, centroid, polar inertia, diameter, extent and least width of a ring of vertices.
+/// Area, centroid, polar inertia, perimeter, diameter, extent and least width of a ring of
+/// vertices.
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,9 @@ struct AreaProperties {
 
 /// The area alone [m^2], the same to the last bit.
 [[nodiscard]] double polygon_area(Ring ring);
+
+/// Length of all edges [m].
+[[nodiscard]] double perimeter(Ring ring);
 
 /// Largest distance between two vertices [m].
 [[nodiscard]] double diameter(Ring ring);

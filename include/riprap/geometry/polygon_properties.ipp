@@ -33,6 +33,13 @@ RIPRAP_INLINE double polygon_area(Ring ring) {
   return 0.5 * twice_area;
 }
 
+RIPRAP_INLINE double perimeter(Ring ring) {
+  double length = 0;
+  for (std::size_t k = 0; k < ring.size(); ++k)
+    length += (ring[(k + 1) % ring.size()] - ring[k]).norm();
+  return length;
+}
+
 RIPRAP_INLINE double diameter(Ring ring) {
   double squared = 0;
   for (std::size_t i = 0; i < ring.size(); ++i)

@@ -22,6 +22,7 @@ struct BreakEvent {
   Line line;                               ///< the crack, in laboratory coordinates
   std::array<ParticleId, 2> pieces{no_particle, no_particle};
   std::array<double, 2> areas{0, 0};  ///< [m^2]
+  double crack_length = 0;            ///< [m]; times the thickness, the area of the crack
 };
 
 }  // namespace riprap

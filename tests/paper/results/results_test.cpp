@@ -14,6 +14,7 @@
 using report::Json;
 using report::Mode;
 using report::Run;
+using riprap::Vec2;
 using riprap::test::contains;
 using riprap::test::made_up_study;
 using riprap::test::message_of;
@@ -38,7 +39,9 @@ TEST_CASE("a run is read back as it was written") {
   CHECK_FALSE(read.breaks.back().band_share.has_value());
   CHECK(read.ring_displacement == written.ring_displacement);
   CHECK(read.force_side == written.force_side);
-  CHECK(read.bands.back().radius_share == written.bands.back().radius_share);
+  CHECK(read.breaks.front().crack_length == written.breaks.front().crack_length);
+  CHECK(read.shear.back().axial_strain == 0.18);
+  CHECK(radius_of_bands(read.shear.back()) == radius_of_bands(written.shear.back()));
   CHECK(read.warnings == std::vector<std::string>{"made up"});
   CHECK(read.number("kappa") == 1e-3);
 }
@@ -60,7 +63,38 @@ TEST_CASE("malformed runs are refused, and say why") {
   json = run_json(example());
   json["mode"] = "maybe";
   CHECK(contains(message_of([&] { static_cast<void>(report::read_run(json, "")); }),
-                 "mode \"maybe\" of a run must be nb, wb or pinned"));
+                 "mode \"maybe\" of a run must be nb or wb"));
+}
+
+TEST_CASE("places of a stretch are read as they were when it began") {
+  Json json = run_json(example());
+  json["shear_around"][0]["stretch_at_begin"] = {1.5, 0.5};
+  const report::ShearedParticle read = report::read_run(json, "").shear[0].particles[0];
+  const report::ShearedParticle written = example().shear[0].particles[0];
+  CHECK(read.unstrained == written.unstrained);
+  CHECK(read.place == Vec2(1.5 * written.unstrained.x(), 0.5 * written.unstrained.y()));
+}
+
+TEST_CASE("runs of rows are apart from those of the series") {
+  const auto folder = std::filesystem::temp_directory_path() / "riprap_rows_test";
+  std::filesystem::remove_all(folder);
+  const auto add = [&](const std::string& place, const Run& run) {
+    std::filesystem::create_directories(folder / place);
+    riprap::write_file((folder / place / "run.json").string(), run_json(run).dump());
+  };
+  Run row = example();
+  add("runs/a", row);
+  row.variation = "weak_rock";
+  add("rows/a", row);
+  const auto read = report::read_results(folder);
+  CHECK(read.runs.size() == 1);
+  REQUIRE(read.rows.size() == 1);
+  CHECK(read.rows[0].name() == "WB 0.5 MPa, sample 2, weak_rock");
+  CHECK(read.of(Mode::wb, 0.5e6) == std::vector<const Run*>{&read.runs[0]});
+  CHECK(read.of_row("weak_rock", Mode::wb, 0.5e6) == std::vector<const Run*>{&read.rows[0]});
+  CHECK(read.of_row("weak_rock", Mode::nb, 0.5e6).empty());
+  CHECK(read.of_row("slow_shear", Mode::wb, 0.5e6).empty());
+  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("a folder's finished runs are found, in order, and those under way are not") {
@@ -82,7 +116,7 @@ TEST_CASE("a folder's finished runs are found, in order, and those under way are
   CHECK(read.of(Mode::nb, 4e6).empty());
   CHECK(read.first(Mode::nb, 4e6) == nullptr);
   CHECK(read.first(Mode::wb, 2e6)->pressure == 2e6);
-  CHECK_FALSE(read.has(Mode::pinned));
+  CHECK(read.rows.empty());
 
   riprap::write_file((folder / "runs" / read.runs[0].name() / "run.json").string(),
                      "{\"mode\": 1}");

@@ -226,14 +226,14 @@ TEST_CASE("tables have a row a group, the envelopes and stars where no test went
 }
 
 TEST_CASE("a study that has only begun is reported as far as it goes") {
-  Json run = run_of("pinned", 2e6, 1, 0.5);
+  Json run = run_of("nb", 2e6, 1, 0.5);
   run["grading"]["marsal_b_g"] = nullptr;
   const rockfill::Findings f = rockfill::findings({run});
   CHECK(f.charts.size() == 4);  // no gradings without WB
   CHECK(f.tables[0].rows[0][4] == "-");
   CHECK(f.tables[0].rows[0][3] == "30.0");
   CHECK(f.tables[1].rows.empty());
-  CHECK(series_of(f.charts[1], "pinned").points.empty());
+  CHECK(series_of(f.charts[1], "NB").points.empty());
   CHECK(test::svg_elements(chart_sheet(f.charts).document()).size() > 4);
 }
 
@@ -252,7 +252,7 @@ TEST_CASE("runs that cannot be are refused") {
   Json run = run_of("nb", 2e6, 1, 0.5);
   run["mode"] = "x";
   CHECK(message_of([&] { (void)rockfill::findings({run}); }) ==
-        "mode \"x\" of a run must be nb, wb or pinned");
+        "mode \"x\" of a run must be nb or wb");
   run = run_of("nb", 2e6, 1, 0.5);
   run["curve"]["porosity"].erase(3);
   CHECK(message_of([&] { (void)rockfill::findings({run}); }) ==

@@ -15,7 +15,6 @@ using riprap::test::contains;
 using riprap::test::message_of;
 using riprap::test::near;
 using study::band_share;
-using study::bands;
 using study::shear_around;
 using study::Sheared;
 
@@ -62,45 +61,19 @@ TEST_CASE("the boundary does not count, and places are given without the strain 
   CHECK(all[0].place.y() == near(-0.9 / 0.5, 1e-15));
 }
 
-TEST_CASE("a band is found where the field jumps") {
-  // The upper right half slides along the diagonal against the other.
-  const auto diagonal = shear_around(grid([](const Vec2& x) {
-                                       return x.y() > x.x() + 0.05 ? Vec2{0.1, 0.1} : Vec2{0, 0};
-                                     }),
-                                     {1, 1});
-  CHECK(bands(diagonal, 1).diagonal_share > 0.9);
+TEST_CASE("a place on a band has more shear around it than one far from it") {
   // Across a smooth band shear falls with the distance, down to nothing.
   const auto axial = shear_around(grid([](const Vec2& x) {
                                     return Vec2{0.1 * std::tanh(2 * x.y()), 0};
                                   }),
                                   {1, 1});
-  CHECK(bands(axial, 1).diagonal_share < 0.3);
-  // On the band, and far from it.
   CHECK(band_share(axial, {0.3, 0.01}) > 0.85);
   CHECK(band_share(axial, {0.3, 0.9}) < 0.2);
 }
 
-TEST_CASE("a tenth of the particles makes the bands, and their distance is over the radius") {
-  std::vector<Sheared> all;
-  for (int i = 0; i < 20; ++i) all.push_back({{0.1 * i, 0}, i == 4 || i == 7 ? 2.0 : 1.0});
-  const study::Bands found = study::bands(all, 2);
-  CHECK(found.radius_share == near((0.4 + 0.7) / 2 / 2, 1e-15));
-  CHECK(found.diagonal_share == 0);
-}
-
-TEST_CASE("half of all directions is near a diagonal") {
-  std::vector<Sheared> all(10);
-  int near_diagonal = 0;
-  for (int degree = 0; degree < 360; ++degree) {
-    const double angle = (degree + 0.5) * std::acos(-1.0) / 180;
-    all[0] = {{std::cos(angle), std::sin(angle)}, 1};
-    near_diagonal += study::bands(all, 1).diagonal_share > 0.5;
-  }
-  // 22.5 degrees is the middle of a step of one degree.
-  CHECK(std::abs(near_diagonal - 180) <= 8);
-}
-
 TEST_CASE("no particles have no bands") {
-  CHECK(contains(message_of([] { static_cast<void>(study::bands({}, 1)); }),
+  CHECK(contains(message_of([] {
+                   static_cast<void>(band_share({}, {0, 0}));
+                 }),
                  "number of free particles = 0"));
 }

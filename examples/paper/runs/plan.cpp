@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // Table 1 and what the paper leaves open: the library's defaults.
 
-#include "run_plan.hpp"
+#include "plan.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <riprap/core/version.hpp>
@@ -13,32 +13,23 @@
 
 namespace study {
 
-std::string to_text(Mode mode) {
-  switch (mode) {
-  case Mode::nb:
-    return "nb";
-  case Mode::wb:
-    return "wb";
-  case Mode::pinned:
-    return "pinned";
-  }
-  return "";
-}
+std::string to_text(Mode mode) { return mode == Mode::nb ? "nb" : "wb"; }
 
 std::string to_text(Variation variation) {
-  switch (variation) {
-  case Variation::none:
-    return "";
-  case Variation::stocky_pieces:
-    return "stocky_pieces";
-  case Variation::large_pieces:
-    return "large_pieces";
-  case Variation::blunt_particles:
-    return "blunt_particles";
-  case Variation::slow_shear:
-    return "slow_shear";
-  }
-  return "";
+  static constexpr std::array names = {"",
+                                       "mean_tension_line",
+                                       "failure_plane",
+                                       "small_pieces",
+                                       "weak_rock",
+                                       "two_pinned_contacts",
+                                       "periodic_cell",
+                                       "stocky_pieces",
+                                       "large_pieces",
+                                       "blunt_particles",
+                                       "slow_shear",
+                                       "stiff_contacts",
+                                       "many_particles"};
+  return names.at(static_cast<std::size_t>(variation));
 }
 
 std::string pressure_text(double pressure) { return riprap::to_text(pressure / 1e6) + " MPa"; }
@@ -51,7 +42,7 @@ std::string RunPlan::name() const {
 }
 
 std::string RunPlan::folder() const {
-  return (variation == Variation::none ? "runs/" : "causes/") + name();
+  return (variation == Variation::none ? "runs/" : "rows/") + name();
 }
 
 riprap::RandomAssembly RunPlan::assembly() const {
@@ -74,8 +65,20 @@ riprap::StraightCut RunPlan::splitter() const {
   riprap::StraightCut cut;
   if (variation == Variation::stocky_pieces) cut.maximum_aspect = 2;
   if (variation == Variation::large_pieces) cut.minimum_area *= 2;
+  if (variation == Variation::small_pieces) {
+    cut.minimum_area = 0.02;
+    cut.maximum_aspect = 5;
+  }
   return cut;
 }
+
+riprap::HoekBrown RunPlan::criterion() const {
+  riprap::HoekBrown rock;
+  if (variation == Variation::weak_rock) rock.compressive_strength /= 4;
+  return rock;
+}
+
+double RunPlan::stiffness_factor() const { return variation == Variation::stiff_contacts ? 4 : 1; }
 
 namespace {
 
@@ -88,9 +91,9 @@ Json motion_json(const riprap::Model<>& model) {
           {"time_step_fraction", model.motion_model.time_step.fraction}};
 }
 
-Json breakage_json(const riprap::Model<>& model, const riprap::StraightCut& splitter) {
+Json breakage_json(const riprap::Model<>& model, const riprap::HoekBrown& c,
+                   const riprap::StraightCut& splitter) {
   const auto& breakage = model.breakage_model;
-  const riprap::HoekBrown& c = breakage.criterion;
   return {{"compressive_strength_Pa", c.compressive_strength},
           {"m_b", c.m_b},
           {"s", c.s},
@@ -105,58 +108,50 @@ Json breakage_json(const riprap::Model<>& model, const riprap::StraightCut& spli
 }  // namespace
 
 Json RunPlan::parameters() const {
-  constexpr int layout_of_record = 2;  // of run.json and its pictures: another one, another run
-  const riprap::Model<> model;
+  constexpr int layout_of_record = 3;  // of run.json and its pictures: another one, another run
+  const auto model = with_contacts_of(*this, riprap::Model<>{});
   const riprap::Rock rock;
   Json j = {
       {"riprap", riprap::version},
       {"record", layout_of_record},
       {"mode", to_text(mode)},
+      {"variation", to_text(variation)},
       {"assembly", assembly_json(assembly())},
       {"test", test_json(test())},
       {"rock",
        {{"density_kg_m3", rock.density}, {"young_Pa", rock.young}, {"poisson", rock.poisson}}},
       {"motion", motion_json(model)}};
-  if (mode != Mode::nb) j["breakage"] = breakage_json(model, splitter());
+  if (mode != Mode::nb) j["breakage"] = breakage_json(model, criterion(), splitter());
   return j;
 }
 
 // In steps of unbreakable particles: those of shear are inversely proportional to its rate. The
 // unit is the 26,000 of shear at 14 MPa.
-double RunPlan::work_before() const { return 2.3 * particles; }
+double RunPlan::work_before() const { return 2.3 * particles * std::sqrt(stiffness_factor()); }
 
 double RunPlan::work_in_shear() const {
-  const double steps =
-      axial_strain / 0.2 * 1e-3 / test().inertial_number * std::sqrt(14e6 / pressure);
-  // Measured. The more particles are near to breaking the fewer checks are skipped; of pinned ones
-  // none is.
-  const double ratio = pressure / 3.2e6;
-  const double cost_of_step = mode == Mode::nb ? 1 : mode == Mode::wb ? 1.3 + ratio * ratio : 25;
-  return particles * steps * cost_of_step;
+  const double steps = axial_strain / 0.2 * 1e-3 / test().inertial_number *
+                       std::sqrt(14e6 / pressure * stiffness_factor());
+  return particles * steps * cost_of_step();
 }
 
-std::vector<RunPlan> all_runs(const Options& options) {
-  const std::vector<double> pressures = options.quick
-                                            ? std::vector<double>{0.5e6, 2e6, 14e6}
-                                            : std::vector<double>{0.5e6, 1e6, 2e6, 4e6, 8e6, 14e6};
-  const unsigned particles = options.quick ? 150 : 500;
-  std::vector<RunPlan> runs;
-  for (unsigned seed = 1; seed <= options.samples; ++seed)
-    for (const double pressure : pressures)
-      for (const Mode mode : {Mode::nb, Mode::wb, Mode::pinned})
-        runs.push_back({mode, pressure, seed, particles});
-  // Where breakage matters most.
-  for (const double pressure : pressures)
-    if (pressure >= 8e6)
-      for (const Variation variation : {Variation::stocky_pieces, Variation::large_pieces,
-                                        Variation::blunt_particles, Variation::slow_shear})
-        runs.push_back({.mode = Mode::wb,
-                        .pressure = pressure,
-                        .particles = particles,
-                        .variation = variation});
-  std::stable_sort(runs.begin(), runs.end(),
-                   [](const RunPlan& a, const RunPlan& b) { return a.work() > b.work(); });
-  return runs;
+// Measured. The more particles are near to breaking the fewer checks are skipped, and the more of
+// them break the more there are; of pinned ones no check is skipped.
+double RunPlan::cost_of_step() const {
+  if (mode == Mode::nb) return 1;
+  const double ratio = pressure / 6e6;
+  const double cost = 1.2 + ratio * ratio;
+  switch (variation) {
+  case Variation::two_pinned_contacts:
+    return 10;
+  case Variation::mean_tension_line:
+  case Variation::failure_plane:
+  case Variation::small_pieces:
+  case Variation::weak_rock:
+    return 2 * cost;
+  default:
+    return cost;
+  }
 }
 
 }  // namespace study

@@ -1,27 +1,24 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
-// The runs that make the study, and what each of them is made of.
+// A run of the study, and what it is made of.
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
+#include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/breakage/splitter/straight_cut.hpp>
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/particle/random_placement.hpp>
 
-#include "../options.hpp"
+#include "variation.hpp"
 
 namespace study {
 
 // Keeps the order in which things are written.
 using Json = nlohmann::ordered_json;
 
-// Unbreakable; breakable and free in the stress analysis; breakable and pinned at two contacts.
-enum class Mode { nb, wb, pinned };
-
-// What a run does otherwise than its series, one thing at a time, to find the cause of a result.
-enum class Variation { none, stocky_pieces, large_pieces, blunt_particles, slow_shear };
+// Unbreakable; breakable.
+enum class Mode { nb, wb };
 
 struct RunPlan {
   Mode mode = Mode::nb;
@@ -38,21 +35,31 @@ struct RunPlan {
   [[nodiscard]] bool has_pictures() const { return seed == 1 && variation == Variation::none; }
   [[nodiscard]] riprap::RandomAssembly assembly() const;
   [[nodiscard]] riprap::BiaxialTest test() const;
+  [[nodiscard]] riprap::HoekBrown criterion() const;
   [[nodiscard]] riprap::StraightCut splitter() const;
+  // Of contacts, over the default.
+  [[nodiscard]] double stiffness_factor() const;
   // Everything the result depends on.
   [[nodiscard]] Json parameters() const;
   // About how long it takes, compaction and relaxation apart from the rest [any unit].
   [[nodiscard]] double work_before() const;
   [[nodiscard]] double work_in_shear() const;
   [[nodiscard]] double work() const { return work_before() + work_in_shear(); }
+
+ private:
+  [[nodiscard]] double cost_of_step() const;
 };
 
 std::string to_text(Mode mode);
-std::string to_text(Variation variation);
 // "0.5 MPa"
 std::string pressure_text(double pressure);
 
-// The longest first, so that none is left alone at the end.
-std::vector<RunPlan> all_runs(const Options& options);
+// A model with the plan's contacts.
+template <class ModelType>
+[[nodiscard]] ModelType with_contacts_of(const RunPlan& plan, ModelType model) {
+  model.contact_model.law.normal_stiffness *= plan.stiffness_factor();
+  model.contact_model.law.tangential_stiffness *= plan.stiffness_factor();
+  return model;
+}
 
 }  // namespace study
