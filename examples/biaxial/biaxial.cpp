@@ -8,6 +8,8 @@
 namespace {
 
 Outcome run_chosen(const Options& options) {
+  if (options.preset == "recommended") return run_recommended(options);
+  if (options.preset == "paper") return run_paper(options);
   if (options.boundary == "platens") return run_choices_platens(options);
   if (options.boundary == "periodic") return run_choices_periodic(options);
   if (!options.compiled_in()) return run_choices_particles(options);

@@ -152,6 +152,10 @@ void add_breakage(OptionTable& table, Options& o) {
 }  // namespace
 
 void add_model(OptionTable& table, Options& options) {
+  table.begin_group("Model");
+  table.add_choice("--preset", options.preset, {"model", "recommended", "paper"},
+                   "Model{}, which options change; the recommended choices; the paper's to the "
+                   "letter (docs/presets.md)");
   add_contact(table, options);
   add_motion(table, options);
   add_stress(table, options);

@@ -29,6 +29,18 @@ void adapt_area_spring(const OptionTable& table, Options& o) {
   if (!table.is_given("--largest-chord")) o.area.largest_chord = o.assembly.mean_diameter;
 }
 
+// Names of the policies that a preset sets, for the summary; their options are not to be given.
+void apply_preset(OptionTable& table, Options& o) {
+  if (o.preset == "model") return;
+  table.exclude({"--contact", "--friction", "--normal-stiffness", "--tangential-stiffness",
+                 "--boundary", "--integrator", "--time-step-fraction", "--plane", "--support",
+                 "--mesh-triangles", "--criterion", "--compressive-strength", "--m-b", "--s",
+                 "--a-b", "--hoek-brown-angle", "--ratf", "--line-fit"},
+                "--preset");
+  if (o.preset == "recommended") o.line_fit = "mean-tension";
+  if (o.preset == "paper") o.support = "pinned";
+}
+
 // What goes together, and with this build.
 void check_combination(const Options& o) {
 #ifndef _OPENMP
@@ -37,8 +49,9 @@ void check_combination(const Options& o) {
                                             "found: it has one thread");
 #endif
   if (o.timer && !o.compiled_in())
-    throw CLI::ValidationError("--timer", "goes with the default boundary, contact law, integrator "
-                                          "and support only");
+    throw CLI::ValidationError("--timer",
+                               "goes with the default preset, boundary, contact law, integrator "
+                               "and support only");
 }
 
 // The options with what reads them.
@@ -61,6 +74,7 @@ struct Reader {
     app.parse(argc, argv);
     command_line::check_config_option(app);
     table.check_choices();
+    apply_preset(table, options);
     check_combination(options);
     adapt_area_spring(table, options);
     if (options.hoek_brown_angle == "tangent")

@@ -16,6 +16,9 @@ struct Options {
   riprap::Rock rock{};
   bool paraview = false;
 
+  // With another one the options that it sets are not to be given.
+  std::string preset = "model";
+
   std::string boundary = "particles";
   std::string integrator = "euler";
   riprap::LocalDamping damping{};
@@ -57,11 +60,11 @@ struct Options {
   command_line::OptionNames names{};
   std::string toml{};
 
-  // Do contact law, integrator, support and boundary have their defaults, for which there are
-  // programs without choices?
+  // Do preset, contact law, integrator, support and boundary have their defaults, for which there
+  // are programs without choices?
   [[nodiscard]] bool compiled_in() const {
-    return contact == "energy-conserving" && integrator == "euler" && support == "inertia-relief" &&
-           boundary == "particles";
+    return preset == "model" && contact == "energy-conserving" && integrator == "euler" &&
+           support == "inertia-relief" && boundary == "particles";
   }
 };
 

@@ -25,10 +25,9 @@ using AnyLineFit =
     riprap::LineFitChoice<riprap::WeightedXY, riprap::WeightedX, riprap::WeightedY,
                           riprap::WeightedXYByMeanStress, riprap::MeanTensionLine,
                           riprap::TotalLeastSquares, riprap::FailurePlaneThroughCentroid>;
-using AnyContact =
-    riprap::ContactLawChoice<riprap::EnergyConservingSpring, riprap::LinearSpringCoulomb,
-                             riprap::IncrementalSpring, riprap::OverlapAreaSpring,
-                             riprap::SpringDashpot>;
+using AnyContact = riprap::ContactLawChoice<riprap::EnergyConservingSpring,
+                                            riprap::LinearSpringCoulomb, riprap::IncrementalSpring,
+                                            riprap::OverlapAreaSpring, riprap::SpringDashpot>;
 using AnyNarrowPhase = riprap::NarrowPhaseChoice<riprap::OverlapMoments, riprap::OverlapChord>;
 using AnyIntegrator = riprap::IntegratorChoice<riprap::SymplecticEuler, riprap::VelocityVerlet>;
 using AnySupport = riprap::SupportChoice<riprap::InertiaRelief, riprap::TwoPinnedContacts>;

@@ -47,6 +47,16 @@ inline auto model_of_choices(const Options& o) {
       .support(chosen_support(o));
 }
 
+// A preset, with what it leaves to options.
+template <class Preset>
+auto preset_model(const Preset& preset, const Options& o) {
+  return preset.broad_phase(o.broad_phase)
+      .damping(o.damping)
+      .splitter(o.splitter)
+      .check_every(o.check_every)
+      .execution(AnyExecution{static_cast<int>(o.threads)});
+}
+
 // The assembly that goes with a boundary.
 inline riprap::Assembly assembly_for(const riprap::StrainField&, const Options& o) {
   return riprap::random_assembly(o.assembly);

@@ -71,6 +71,14 @@ inline Json criterion_json(const riprap::Franklin& c) {
           {"tension_Pa", c.tension}};
 }
 
+inline Json criterion_json(const AnyCriterion& criterion) {
+  return std::visit([](const auto& c) { return criterion_json(c); }, criterion.chosen);
+}
+
+// RatF is of a measure.
+inline const char* rat_measure(const riprap::FailedElementRatio&) { return "elements"; }
+inline const char* rat_measure(const riprap::FailedAreaRatio&) { return "area"; }
+
 template <class Law>
 Json springs_json(const char* name, const Law& law) {
   return {{"law", name},
@@ -102,6 +110,12 @@ inline Json contact_json(const riprap::SpringDashpot& law) {
           {"may_pull", law.may_pull},
           {"friction", law.friction}};
 }
+inline Json contact_json(const riprap::EnergyConservingSpring& law) {
+  return {{"law", "energy-conserving"},
+          {"normal_stiffness_N_m", law.normal_stiffness},
+          {"tangential_stiffness_N_m", law.tangential_stiffness},
+          {"friction", law.friction}};
+}
 inline Json contact_json(const AnyContact& law) {
   return std::visit([](const auto& l) { return contact_json(l); }, law.chosen);
 }
@@ -112,7 +126,8 @@ Json parameters_json(const Options& o, const Sim& sim) {
   const auto& motion = sim.model().motion_model;
   Json contact = contact_json(sim.contacts().law());
   contact["relative_skin"] = sim.model().contact_model.broad_phase.relative_skin;
-  Json j = {{"assembly", assembly_json(o.assembly)},
+  Json j = {{"preset", o.preset},
+            {"assembly", assembly_json(o.assembly)},
             {"test", test_json(o.test)},
             {"rock",
              {{"density_kg_m3", sim.rock().density},
@@ -130,11 +145,13 @@ Json parameters_json(const Options& o, const Sim& sim) {
     if (o.breakage == "off") return j;
     const auto& stress = sim.model().stress_model;
     const auto& breakage = sim.model().breakage_model;
-    j["stress"] = {
-        {"plane", o.plane}, {"support", o.support}, {"mesh_triangles", stress.mesher.triangles}};
-    j["breakage"] = {{"criterion", std::visit([](const auto& c) { return criterion_json(c); },
-                                              breakage.criterion.chosen)},
+    j["stress"] = {{"plane", o.plane},
+                   {"support", o.support},
+                   {"mesh_triangles", stress.mesher.triangles},
+                   {"nodes_of_triangle", stress.element.nodes}};
+    j["breakage"] = {{"criterion", criterion_json(breakage.criterion)},
                      {"ratf", breakage.trigger.critical},
+                     {"rat_measure", rat_measure(breakage.trigger)},
                      {"line_fit", o.line_fit},
                      {"minimum_piece_area", breakage.splitter.minimum_area},
                      {"maximum_piece_aspect", breakage.splitter.maximum_aspect},

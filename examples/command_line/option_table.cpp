@@ -137,6 +137,15 @@ void OptionTable::check_choices() const {
                                              " it has no meaning");
 }
 
+void OptionTable::exclude(const std::vector<std::string>& options, const std::string& by) {
+  for (const std::string& option : options)
+    if (is_given(option))
+      throw CLI::ValidationError(option, "is set by " + by + " " + entry(by).texts.front()() +
+                                             " and cannot be given with it");
+  for (Entry& e : entries_)
+    if (std::find(options.begin(), options.end(), e.name) != options.end()) e.written = false;
+}
+
 OptionNames OptionTable::names() const {
   OptionNames out;
   for (const Entry& e : entries_)

@@ -59,6 +59,9 @@ class OptionTable {
   // Throws CLI::ValidationError for an option that was given and has no meaning with what was
   // chosen.
   void check_choices() const;
+  // Throws CLI::ValidationError if one of `options` was given, which the value of option `by` sets;
+  // leaves them out of the file of parameters.
+  void exclude(const std::vector<std::string>& options, const std::string& by);
   // Which option sets which member.
   [[nodiscard]] OptionNames names() const;
   // Every option that has a meaning with what was chosen, with its value, as a file in TOML.

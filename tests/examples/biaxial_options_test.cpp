@@ -107,6 +107,30 @@ TEST_CASE("the file of parameters repeats the run, whatever was chosen") {
   }
 }
 
+TEST_CASE("a preset sets options, which are refused beside it and not written") {
+  for (const std::string preset : {"recommended", "paper"}) {
+    CAPTURE(preset);
+    const Options o = options_from({"--preset", preset, "--young", "5e10", "--breakage", "off",
+                                    "--minimum-piece-area", "0.1", "--local-damping", "0.6"});
+    CHECK(!o.compiled_in());
+    CHECK(o.line_fit == (preset == "paper" ? "xy" : "mean-tension"));
+    CHECK(o.support == (preset == "paper" ? "pinned" : "inertia-relief"));
+    for (const std::string name : {"line-fit", "ratf", "mesh-triangles", "m-b", "contact"})
+      CHECK(!contains(o.toml, "\n" + name + " = "));
+    const Options again = read_back(o.toml);
+    CHECK(again.toml == o.toml);
+    CHECK(again.preset == preset);
+    CHECK(again.splitter.minimum_area == 0.1);
+    CHECK(again.damping.coefficient == 0.6);
+    CHECK(refusal({"--line-fit", "x", "--preset", preset}) ==
+          "--line-fit: is set by --preset " + preset + " and cannot be given with it");
+    CHECK(refusal({"--boundary", "periodic", "--preset", preset}) != "");
+    CHECK(refusal({"--timer", "--preset", preset}) != "");
+  }
+  CHECK(refusal({"--preset", "model", "--line-fit", "x"}) == "");
+  CHECK(refusal({"--preset", "best"}) != "");
+}
+
 TEST_CASE(
     "the file of parameters has a line for every parameter of the default model and the test") {
   const std::string toml = options_from({}).toml;
@@ -137,6 +161,7 @@ TEST_CASE(
                                  "young",
                                  "poisson",
                                  "density",
+                                 "preset",
                                  "contact",
                                  "friction",
                                  "normal-stiffness",

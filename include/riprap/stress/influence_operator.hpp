@@ -25,6 +25,8 @@
 
 namespace riprap {
 
+class BandedStiffness;
+
 /// stress = S f. The mesh never changes in the particle's own frame, so neither does S: checking a
 /// particle costs one pass over four columns of S per contact (six with six-node elements) instead
 /// of assembling and solving.
@@ -50,7 +52,7 @@ class InfluenceOperator {
     require_positive("InfluenceOperator: thickness", thickness);
     const ElementMatrices elements = element_matrices(mesh_, element);
     const Eigen::Matrix3d elasticity = plane.elasticity(rock);
-    build<void>(elements, elasticity.data(), thickness, with_flexibility);
+    build(elements, elasticity.data(), thickness, with_flexibility);
   }
 
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
@@ -84,21 +86,14 @@ class InfluenceOperator {
   void add_quadratic_stress(const BoundaryPoint& at, const Vec2& force,
                             ElementStress& stress) const;
 
-  // Templates, so that a program without breakage does not compile the factorisation.
-  template <class Once>
   void build(const ElementMatrices& elements, const double* elasticity, double thickness,
              bool with_flexibility);
-  template <class Once>
-  [[nodiscard]] std::vector<double> solve(std::vector<double> stiffness,
-                                          const std::vector<double>& mass) const;
-  [[nodiscard]] std::vector<double> assemble_stiffness(const ElementMatrices& elements,
-                                                       const double* elasticity,
-                                                       double thickness) const;
-  [[nodiscard]] std::vector<double> assemble_mass(const ElementMatrices& elements) const;
-  void find_stress(const std::vector<double>& displacement, const ElementMatrices& elements,
-                   const double* elasticity);
-  void fill_row(std::size_t row, std::span<const double> to_stress,
-                std::span<const std::size_t> unknown, const std::vector<double>& displacement);
+  void assemble(const ElementMatrices& elements, const double* elasticity, double thickness,
+                BandedStiffness& stiffness) const;
+  [[nodiscard]] std::vector<double> balanced_loads(const ElementMatrices& elements,
+                                                   const BandedStiffness& stiffness) const;
+  void find_stress(const std::vector<double>& displacement, const BandedStiffness& stiffness,
+                   const ElementMatrices& elements, const double* elasticity);
 
   Mesh mesh_;
   std::span<const TrianglePoint> rule_;  // of the sampling points of an element
@@ -111,7 +106,4 @@ class InfluenceOperator {
 
 #ifndef RIPRAP_COMPILED
 #include <riprap/stress/influence_operator.ipp>
-#else
-extern template void riprap::InfluenceOperator::build<void>(const ElementMatrices&, const double*,
-                                                            double, bool);
 #endif
