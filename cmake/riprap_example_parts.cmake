@@ -16,6 +16,11 @@ function(riprap_example_part name)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
+# Tables of runs.
+file(GLOB sources RELATIVE ${PROJECT_SOURCE_DIR}/examples CONFIGURE_DEPENDS
+     ${PROJECT_SOURCE_DIR}/examples/run_table/*.cpp)
+riprap_example_part(riprap_run_table SOURCES ${sources})
+
 if(TARGET nlohmann_json::nlohmann_json)
   # All of the study but its program and its runs.
   file(GLOB sources RELATIVE ${PROJECT_SOURCE_DIR}/examples CONFIGURE_DEPENDS

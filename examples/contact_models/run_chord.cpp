@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "run.hpp"
 
+#include "../run_table/run_biaxial.hpp"
+
 namespace contact_models {
 
-Result run_chord(const Setup& setup) {
-  return run(riprap::Model{}
-                 .narrow_phase(riprap::OverlapChord{})
-                 .contact_law(riprap::LinearSpringCoulomb{}),
-             setup);
+BiaxialNumbers run_chord(const Setup& setup) {
+  return run_table::run_biaxial(riprap::Model{}
+                                    .narrow_phase(riprap::OverlapChord{})
+                                    .contact_law(riprap::LinearSpringCoulomb{}),
+                                setup);
 }
 
 }  // namespace contact_models
