@@ -77,8 +77,12 @@ KnownStrength bent_bar() {
       for (const double side : {-1.0, 1.0})
         bar.forces.push_back({{side * half_length, y}, {side * force, 0}});
     }
-  // (1 - sigma_t / sigma) / 2 = 0.4, with sigma = M half_height / I at the edge.
-  const double edge_stress = 5 * HoekBrown{}.tensile_strength();
+  // (1 - sigma_t / sigma) / 2 = 0.4, with sigma = M half_height / I at the edge. In uniaxial
+  // tension sigma_1f(-sigma_t) = 0 is reached first (Hoek and Brown 1980).
+  const HoekBrown rock;
+  const double tensile_strength =
+      0.5 * rock.compressive_strength * (std::sqrt(rock.m_b * rock.m_b + 4 * rock.s) - rock.m_b);
+  const double edge_stress = 5 * tensile_strength;
   return {{thickness, 4 * half_length * half_height, {bar}},
           edge_stress * second_moment / half_height};
 }

@@ -117,7 +117,7 @@ int study(const Options& o) {
   riprap::make_folder(o.out);
   const std::vector<Origin> all = origins(o);
   std::vector<run_table::Task> sampling;
-  // Longest first: the last two run side by side.
+  // Longest first.
   for (auto origin = all.rbegin(); origin != all.rend(); ++origin)
     sampling.push_back(sample_task(*origin, o.out));
   run_table::make_results(sampling, o.jobs);
