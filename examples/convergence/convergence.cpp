@@ -27,7 +27,7 @@ namespace {
 
 struct Options {
   unsigned particles = 500;
-  unsigned measured = 200;
+  unsigned measured = 500;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
   std::string out = "convergence";
   bool quick = false;

@@ -201,7 +201,7 @@ riprap::Series series(const std::string& mesh, const std::string& name, const ch
 std::string tables(const std::vector<MeasuredSet>& sets) {
   std::string all;
   const auto add = [&](const char* title, const std::string& table) {
-    all += std::string("### ") + title + "\n\n" + table + "\n";
+    all += std::string("#### ") + title + "\n\n" + table + "\n";
   };
   add("Particles", count_table(sets));
   add("Critical load", load_table(sets, groups_of_sets(sets), load_error));
