@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSL-1.0
 # Parts of the examples that tests are made of as well, compiled once for both. Static libraries, of
 # which a program takes what it uses.
+find_package(Threads REQUIRED)
 find_package(nlohmann_json QUIET)
 find_package(CLI11 QUIET)
 
@@ -15,6 +16,14 @@ function(riprap_example_part name)
   # Compiling takes longer than running.
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
+
+# Tables of runs.
+file(GLOB sources RELATIVE ${PROJECT_SOURCE_DIR}/examples CONFIGURE_DEPENDS
+     ${PROJECT_SOURCE_DIR}/examples/run_table/*.cpp)
+riprap_example_part(riprap_run_table LIBRARIES Threads::Threads SOURCES ${sources})
+# What the study of convergence computes.
+riprap_example_part(riprap_convergence SOURCES convergence/closed_forms.cpp
+  convergence/graded_mesh.cpp convergence/loaded_particle.cpp convergence/strength.cpp)
 
 if(TARGET nlohmann_json::nlohmann_json)
   # All of the study but its program and its runs.

@@ -110,12 +110,6 @@ inline Json contact_json(const riprap::SpringDashpot& law) {
           {"may_pull", law.may_pull},
           {"friction", law.friction}};
 }
-inline Json contact_json(const riprap::EnergyConservingSpring& law) {
-  return {{"law", "energy-conserving"},
-          {"normal_stiffness_N_m", law.normal_stiffness},
-          {"tangential_stiffness_N_m", law.tangential_stiffness},
-          {"friction", law.friction}};
-}
 inline Json contact_json(const AnyContact& law) {
   return std::visit([](const auto& l) { return contact_json(l); }, law.chosen);
 }

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "run.hpp"
 
+#include "../run_table/run_biaxial.hpp"
+
 namespace contact_models {
 
-Result run_chord(const Setup& setup) {
-  return run(riprap::Model{}
-                 .narrow_phase(riprap::OverlapChord{})
-                 .contact_law(riprap::LinearSpringCoulomb{})
-                 .time_step(riprap::MassFloor{.fraction = 0.12}),
-             setup);
+BiaxialNumbers run_chord(const Setup& setup) {
+  return run_table::run_biaxial(riprap::Model{}
+                                    .narrow_phase(riprap::OverlapChord{})
+                                    .contact_law(riprap::LinearSpringCoulomb{})
+                                    .time_step(riprap::MassFloor{.fraction = 0.12}),
+                                setup);
 }
 
 }  // namespace contact_models

@@ -47,7 +47,7 @@ inline constexpr CalibratedLimit linear_strain_limits[] = {
 /// 0.348 at 200, 0.369 at 400, linear in the logarithm of their number in between.
 ///
 /// Measured on particles under the loads of biaxial tests at 8 MPa: HoekBrown with Table 1's rock,
-/// PlaneStress, InertiaRelief, UniformMesher. Other rocks were not tried.
+/// PlaneStress, InertiaRelief, UniformMesher. docs/convergence.md has other pressures and rocks.
 /// @param samples  sampling points asked for, 25 to 400: the number of triangles of the mesher
 /// Throws InvalidInput outside this range.
 [[nodiscard]] inline double calibrated_limit(const ConstantStrainTriangle&, std::size_t samples) {
