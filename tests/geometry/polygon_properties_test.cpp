@@ -160,3 +160,8 @@ TEST_CASE("the least width is the smallest shadow over all directions") {
   // the diameter times that angle.
   CHECK(width >= smallest - diameter(polygon.ring()) * 0.5 * pi / directions);
 }
+
+TEST_CASE("the perimeter of a right triangle of sides 3, 4 and 5") {
+  const std::vector<Vec2> ring{{1, 1}, {5, 1}, {1, 4}};
+  CHECK(perimeter(ring) == near(12, 1e-14));
+}

@@ -103,6 +103,9 @@ TEST_CASE("a square crushed between platens splits along the loading axis") {
   // the line may lean and shift by about one of them over the height.
   CHECK(std::abs(event.line.direction.y()) > std::cos(0.2));
   CHECK(std::abs(event.line.left_distance(Vec2{0, 0})) < 0.0016);
+  // From side to side of 16 mm, as steep as the line is at least.
+  CHECK(event.crack_length >= 0.016 * (1 - 1e-9));
+  CHECK(event.crack_length < 0.016 / std::cos(0.2));
   CHECK(event.failures.ratio() >= 0.4);
   // At most 0.07 is known to be gained in a step; the platens move slowly.
   CHECK(event.failures.ratio() < 0.47);

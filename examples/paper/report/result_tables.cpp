@@ -156,6 +156,10 @@ Table quality_table(const Results& results) {
        {"largest kinetic over stored energy", "%.1e", of("kinetic_ratio_largest_after_1_percent")},
        {"mean error of the confining pressure", "%.1e", of("confinement_error_mean")},
        {"energy not accounted for", "%.1e", of("energy_error")},
+       {"fracture energy over boundary work [%]", "%.2f",
+        [](const Run& r) {
+          return 100 * r.fracture_energy(fracture_energy_per_area) / r.number("boundary_work_J");
+        }},
        {"lost particles", "%.0f", of("lost_particles")},
        {"time [s]", "%.0f", [](const Run& r) { return r.wall_time; }}});
 }

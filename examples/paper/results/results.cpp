@@ -71,6 +71,13 @@ std::size_t Run::breaks_in_shear() const {
       std::count_if(breaks.begin(), breaks.end(), [](const Break& b) { return b.in_shear; }));
 }
 
+double Run::fracture_energy(double per_area) const {
+  double length = 0;
+  for (const Break& b : breaks)
+    if (b.in_shear) length += b.crack_length;
+  return per_area * length * number("thickness_m");
+}
+
 std::string Run::name() const {
   return to_text(mode) + " " + pressure_text(pressure) + ", sample " + std::to_string(seed) +
          (variation.empty() ? "" : ", " + variation);
@@ -108,6 +115,11 @@ Run read_run(const Json& json, const std::filesystem::path& folder) {
     for (const Json& window : json.at("shear_around")) run.shear.push_back(read_shear(window));
   for (const auto& [name, value] : json.at("numbers").items())
     if (value.is_number() || value.is_null()) run.numbers[name] = real(value);
+  const auto note = [&](const char* name, const Json::json_pointer& path) {
+    if (json.contains(path)) run.numbers[name] = real(json.at(path));
+  };
+  note("boundary_work_J", Json::json_pointer("/energy/boundary_work_J"));
+  note("thickness_m", Json::json_pointer("/parameters/assembly/thickness_m"));
   for (const Json& warning : json.at("warnings")) run.warnings.push_back(warning);
   return run;
 }

@@ -58,6 +58,8 @@ struct Run {
   // Not a number if there is no such number.
   [[nodiscard]] double number(const std::string& name) const;
   [[nodiscard]] std::size_t breaks_in_shear() const;
+  // Of all cracks in shear [J], for an energy per area of crack [J/m^2].
+  [[nodiscard]] double fracture_energy(double per_area) const;
   [[nodiscard]] std::string name() const;  // "WB 0.5 MPa, sample 1"
 };
 

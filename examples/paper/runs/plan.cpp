@@ -28,7 +28,9 @@ std::string to_text(Variation variation) {
                                        "blunt_particles",
                                        "slow_shear",
                                        "stiff_contacts",
-                                       "many_particles"};
+                                       "many_particles",
+                                       "recommended_preset",
+                                       "paper_preset"};
   return names.at(static_cast<std::size_t>(variation));
 }
 
@@ -143,11 +145,13 @@ double RunPlan::cost_of_step() const {
   const double cost = 1.2 + ratio * ratio;
   switch (variation) {
   case Variation::two_pinned_contacts:
+  case Variation::paper_preset:
     return 10;
   case Variation::mean_tension_line:
   case Variation::failure_plane:
   case Variation::small_pieces:
   case Variation::weak_rock:
+  case Variation::recommended_preset:
     return 2 * cost;
   default:
     return cost;

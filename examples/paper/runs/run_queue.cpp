@@ -61,6 +61,10 @@ void make_run(const RunPlan& plan, const fs::path& folder, WorkDone& done) {
     return run_pinned(plan, folder, done);
   case Variation::periodic_cell:
     return run_periodic(plan, folder, done);
+  case Variation::recommended_preset:
+    return run_recommended(plan, folder, done);
+  case Variation::paper_preset:
+    return run_paper(plan, folder, done);
   default:
     return plan.mode == Mode::nb ? run_nb(plan, folder, done) : run_wb(plan, folder, done);
   }

@@ -29,6 +29,8 @@ std::vector<Row> whole_study(unsigned samples) {
   for (const Variation variation : {mean_tension_line, failure_plane, small_pieces})
     rows.push_back({variation, Mode::wb, {two, high}});
   rows.push_back({weak_rock, Mode::wb, {low, high}});
+  rows.push_back({recommended_preset, Mode::wb, {two, high}});
+  rows.push_back({paper_preset, Mode::wb, {high}});
   for (const Variation variation :
        {two_pinned_contacts, stocky_pieces, large_pieces, blunt_particles, slow_shear})
     rows.push_back({variation, Mode::wb, {high}});

@@ -106,5 +106,7 @@ void run_wb(const RunPlan& plan, const std::filesystem::path& folder, WorkDone& 
 void run_line_fit(const RunPlan& plan, const std::filesystem::path& folder, WorkDone& done);
 void run_periodic(const RunPlan& plan, const std::filesystem::path& folder, WorkDone& done);
 void run_pinned(const RunPlan& plan, const std::filesystem::path& folder, WorkDone& done);
+void run_recommended(const RunPlan& plan, const std::filesystem::path& folder, WorkDone& done);
+void run_paper(const RunPlan& plan, const std::filesystem::path& folder, WorkDone& done);
 
 }  // namespace study

@@ -19,7 +19,9 @@ enum class Variation {
   blunt_particles,
   slow_shear,
   stiff_contacts,
-  many_particles
+  many_particles,
+  recommended_preset,
+  paper_preset
 };
 
 // As the name of a run ends; nothing for none.
