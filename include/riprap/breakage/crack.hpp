@@ -26,6 +26,7 @@ struct Crack {
   FailureCount failures;
   FailureMode mode = FailureMode::intact;  ///< of the first failed element
   Line line;                               ///< in laboratory coordinates
+  double length = 0;                       ///< [m]
   CutRings pieces;
 };
 
@@ -88,6 +89,7 @@ find_crack(const BreakagePart& model, const FailureCount& failures, const Sampli
   if (!pieces || !try_convex_polygon(pieces->left) || !try_convex_polygon(pieces->right))
     return std::nullopt;
   internal::require_whole(*pieces, ring);
+  crack.length = 0.5 * (perimeter(pieces->left) + perimeter(pieces->right) - perimeter(ring));
   crack.pieces = std::move(*pieces);
   return crack;
 }

@@ -14,7 +14,6 @@
 #include <riprap/contact/contact_list.hpp>
 #include <riprap/core/execution/concepts.hpp>
 #include <riprap/dynamics/boundary/domain_of.hpp>
-#include <riprap/geometry/polygon_properties.hpp>
 #include <riprap/particle/assembly.hpp>
 #include <riprap/particle/particles.hpp>
 #include <riprap/particle/smallest_mass.hpp>
@@ -254,10 +253,8 @@ class Simulation {
   void split(BodyIndex i, const Crack& crack) {
     const Body parent = particles_.body(i);
     const Ancestry ancestry = particles_.ancestry(i);
-    const double whole = perimeter(particles_.ring(i));
-    const ConvexPolygon left{crack.pieces.left};
     const ConvexPolygon right{crack.pieces.right};
-    particles_.replace(i, left, Motion::free, ancestry);
+    particles_.replace(i, ConvexPolygon{crack.pieces.left}, Motion::free, ancestry);
     const BodyIndex second = particles_.add(right, Motion::free, &ancestry);
     for (const BodyIndex piece : {i, second}) {
       Body& body = particles_.body(piece);
@@ -267,16 +264,15 @@ class Simulation {
     contacts_.divide(i, second,
                      [&](const Vec2& point) { return crack.line.left_distance(point) < 0; });
     breakage_.forget(i);
-    breaks_.push_back(
-        {.step = steps_,
-         .time = time_,
-         .particle = ancestry,
-         .failures = crack.failures,
-         .mode = crack.mode,
-         .line = crack.line,
-         .pieces = {particles_.ancestry(i).id, particles_.ancestry(second).id},
-         .areas = {particles_.shape(i).area, particles_.shape(second).area},
-         .crack_length = 0.5 * (perimeter(left.ring()) + perimeter(right.ring()) - whole)});
+    breaks_.push_back({.step = steps_,
+                       .time = time_,
+                       .particle = ancestry,
+                       .failures = crack.failures,
+                       .mode = crack.mode,
+                       .line = crack.line,
+                       .pieces = {particles_.ancestry(i).id, particles_.ancestry(second).id},
+                       .areas = {particles_.shape(i).area, particles_.shape(second).area},
+                       .crack_length = crack.length});
   }
 
   void choose_time_step() {
