@@ -58,6 +58,9 @@ template <Trigger T>
       if constexpr (ScreenableTrigger<T>)
         check.holds("a particle with fewer failed elements than are needed stays whole",
                     failed >= failed_elements_needed(trigger, areas) || !breaks);
+      if constexpr (requires { trigger.failed_area_needed(); })
+        check.holds("a particle with less failed area than is needed stays whole",
+                    failures.area_ratio() >= trigger.failed_area_needed() || !breaks);
       broken = breaks;
     }
   }

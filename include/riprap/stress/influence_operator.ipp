@@ -99,7 +99,12 @@ RIPRAP_INLINE void InfluenceOperator::add_quadratic_stress(const BoundaryPoint& 
     const double x = shares.weights[k] * force.x();
     const double y = shares.weights[k] * force.y();
     const double* const columns = stress_.data() + column(shares.nodes[k]) * stress_.rows();
-    for (std::size_t i = 0; i < count; ++i) sum[i] += x * columns[i] + y * columns[count + i];
+    std::size_t i = 0;
+    for (; i + native_lanes <= count; i += native_lanes)
+      store_lanes(sum + i, load_lanes<DoubleLanes>(sum + i) +
+                               (x * load_lanes<DoubleLanes>(columns + i) +
+                                y * load_lanes<DoubleLanes>(columns + count + i)));
+    for (; i < count; ++i) sum[i] += x * columns[i] + y * columns[count + i];
   }
 }
 

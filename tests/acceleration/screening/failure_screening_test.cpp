@@ -258,3 +258,29 @@ TEST_CASE("in units without numbers in single precision every element may have f
   CHECK(screening(compact({{1e6, 0, 0}}, std::numeric_limits<double>::infinity()), 1).possible ==
         1);
 }
+
+TEST_CASE("weights say as much as numbers where all are equal, and no set of elements beats them") {
+  Random random(11);
+  FailureScreening screening(MohrRadiusTable::of(HoekBrown{}));
+  for (int trial = 0; trial < 200; ++trial) {
+    ElementStressF32 stress;
+    stress.elements = stress.stride = 20;
+    stress.values.assign(60, 0);
+    for (float& s : stress.values) s = static_cast<float>(random.uniform(-5e6, 20e6));
+    const std::vector<float> equal(20, 1.0f);
+    const ScreeningResult by_number = screening(stress, 8);
+    const ScreeningResult by_weight = screening(stress, equal, 8);
+    // Round-off is allowed for by 2e-5 of the weights, times the square of the distance of one
+    // element, of 8 that reach the number.
+    CHECK(by_weight.stress_margin <= (1 + 1e-6) * by_number.stress_margin);
+    CHECK(by_weight.stress_margin >= 0.99 * by_number.stress_margin);
+
+    // A weight of 8 takes 6 to 12 elements of these weights; a margin loses up to a bin of the
+    // histogram, about the change from 6 to 5 elements.
+    std::vector<float> weights(20);
+    for (std::size_t i = 0; i < 20; ++i) weights[i] = i % 2 == 0 ? 0.5f : 1.5f;
+    const ScreeningResult uneven = screening(stress, weights, 8);
+    CHECK(uneven.stress_margin >= (1 - 1e-2) * screening(stress, 5).stress_margin);
+    CHECK(uneven.stress_margin <= (1 + 1e-6) * screening(stress, 16).stress_margin);
+  }
+}

@@ -56,8 +56,16 @@ struct NeededChangesTheAreas : archetype::Trigger {
 struct NeededOfAreas : archetype::Trigger {
   std::size_t failed_elements_needed(const LargestAreas& areas) const { return areas.size(); }
 };
+struct AreaNeededIsNotConst : archetype::Trigger {
+  double failed_area_needed() { return 0.4; }
+};
+struct AreaNeededIsNoNumber : archetype::Trigger {
+  Vec2 failed_area_needed() const { return {1, 1}; }
+};
 
 static_assert(Trigger<archetype::Trigger>);
+static_assert(!Trigger<AreaNeededIsNotConst>);
+static_assert(!Trigger<AreaNeededIsNoNumber>);
 static_assert(!ScreenableTrigger<archetype::Trigger>);
 static_assert(ScreenableTrigger<NeededOfAreas>);
 static_assert(!Trigger<NotCallable>);

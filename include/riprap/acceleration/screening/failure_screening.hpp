@@ -128,6 +128,10 @@ class FailureScreening {
       : radii_(std::move(radii)), inverse_unit_(2 / radii_.step()) {}
 
   [[nodiscard]] ScreeningResult operator()(const ElementStressF32& stress, std::size_t needed);
+  /// The same where elements count by `weights`, of mean 1, up to `needed` in sum: that of the
+  /// possibly failed ones may reach it if `possible` is not 0.
+  [[nodiscard]] ScreeningResult operator()(const ElementStressF32& stress,
+                                           std::span<const float> weights, double needed);
 
  private:
   void find_distances(const ElementStressF32& stress);

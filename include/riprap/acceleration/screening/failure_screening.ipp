@@ -120,4 +120,48 @@ RIPRAP_INLINE ScreeningResult FailureScreening::operator()(const ElementStressF3
   return result;
 }
 
+// A set of elements with weights w and distances d whose weights reach the needed sum n needs a
+// change of at least the sum of its d^2. For any edge e that is not less than the sum over all of
+// min(d^2, w e^2), less e^2 times the weight that is left out, at most that of all less n. The best
+// edge is where the weights of elements in the order of d / sqrt(w) reach n.
+RIPRAP_INLINE ScreeningResult FailureScreening::operator()(const ElementStressF32& stress,
+                                                           std::span<const float> weights,
+                                                           double needed) {
+  if (!(stress.error < 1e30)) return {.possible = stress.elements};
+  find_distances(stress);
+  const auto elements = static_cast<float>(stress.elements);
+  const float round_off = 2e-5f * elements;  // of sums in single precision
+  const float enough = static_cast<float>(needed) - round_off;
+  ScreeningResult result;
+  float failed = 0;
+  float all = 0;
+  std::array<float, internal::distance_bins> sums{};
+  for (std::size_t e = 0; e < stress.elements; ++e) {
+    all += weights[e];
+    if (!(distances_[e] > 0)) {
+      failed += weights[e];
+      distances_[e] = 0;
+      ++result.possible;
+    }
+    sums[internal::distance_bin(distances_[e] / std::sqrt(weights[e]))] += weights[e];
+  }
+  if (failed < enough) result.possible = 0;
+  float below = 0;
+  std::size_t b = 0;
+  while (b < sums.size() && below + sums[b] < enough) below += sums[b++];
+  if (b == sums.size()) {
+    result.stress_margin = std::numeric_limits<double>::infinity();
+    return result;
+  }
+  const float edge = internal::lower_edge(b);
+  float squares = 0;
+  for (std::size_t e = 0; e < stress.elements; ++e)
+    squares += std::min(distances_[e] * distances_[e], weights[e] * edge * edge);
+  const float left_out = all - enough + round_off;
+  result.stress_margin =
+      static_cast<double>(std::sqrt(std::max(0.0f, squares - left_out * edge * edge))) /
+      static_cast<double>(inverse_unit_);
+  return result;
+}
+
 }  // namespace riprap

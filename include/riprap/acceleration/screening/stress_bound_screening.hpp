@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <riprap/acceleration/screening/failure_screening.hpp>
@@ -150,16 +151,28 @@ class StressBoundScreening::State<BreakagePart, StressPart> {
       work.points.push_back(point);
     }
     op.find_stress(work.loads, scale, work.stress);
-    const std::size_t needed = failed_elements_needed(input.breakage.trigger, op.areas());
-    const ScreeningResult result = work.screening(work.stress, needed);
-    const bool may = result.possible >= needed;
+    const auto [may, stress_margin] = screened(input.breakage.trigger, op.areas(), work);
     if (may)
       bounds_[i].clear();
     else
-      bounds_[i].reset(loads.of(i), work.loads, work.points, rotation, op,
-                       result.stress_margin / scale);
+      bounds_[i].reset(loads.of(i), work.loads, work.points, rotation, op, stress_margin / scale);
     (void)bound_excludes_failure(input.particles, loads, i);
     return may;
+  }
+
+  // Whether the trigger may fire, and below which change of all stresses it does not.
+  template <class T>
+  [[nodiscard]] static std::pair<bool, double> screened(const T& trigger, const LargestAreas& areas,
+                                                        Workspace& work) {
+    if constexpr (requires { trigger.failed_area_needed(); }) {
+      const double needed = trigger.failed_area_needed() * static_cast<double>(areas.size());
+      const ScreeningResult result = work.screening(work.stress, areas.weights(), needed);
+      return {result.possible > 0, result.stress_margin};
+    } else {
+      const std::size_t needed = failed_elements_needed(trigger, areas);
+      const ScreeningResult result = work.screening(work.stress, needed);
+      return {result.possible >= needed, result.stress_margin};
+    }
   }
 
   EvaluateAll::State<BreakagePart, StressPart> unscreened_;

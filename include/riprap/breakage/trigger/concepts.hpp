@@ -53,12 +53,21 @@ concept TriggerNeededOfAreas = !requires(T& trigger, LargestAreas& areas) {
   { trigger.failed_elements_needed(areas) } -> std::convertible_to<std::size_t>;
 };
 
+/// Optional, beside it: `trigger.failed_area_needed()` [-]: with a smaller share of the area it
+/// never fires. Which points have failed then counts in the screening, not their number alone.
+template <class T>
+concept TriggerAreaNeeded =
+    !requires(T& trigger) { trigger.failed_area_needed(); } || requires(const T& trigger) {
+      { trigger.failed_area_needed() } -> std::convertible_to<double>;
+    };
+
 }  // namespace requirements
 
 /// A `Trigger` decides from the failed elements of one evaluation.
 template <class T>
 concept Trigger = Policy<T> && requirements::TriggerCall<T> && requirements::TriggerStrength<T> &&
-                  requirements::TriggerNeeded<T> && requirements::TriggerNeededOfAreas<T>;
+                  requirements::TriggerNeeded<T> && requirements::TriggerNeededOfAreas<T> &&
+                  requirements::TriggerAreaNeeded<T>;
 
 /// A trigger that says how many failed elements it needs: its particles can be screened.
 template <class T>
@@ -93,6 +102,9 @@ consteval bool check_trigger() {
   static_assert(requirements::TriggerNeededOfAreas<T>,
                 "riprap: failed_elements_needed of a Trigger must be std::size_t "
                 "failed_elements_needed(const LargestAreas&) const");
+  static_assert(
+      requirements::TriggerAreaNeeded<T>,
+      "riprap: failed_area_needed of a Trigger must be double failed_area_needed() const");
   return Trigger<T>;
 }
 

@@ -19,6 +19,7 @@ struct FailedAreaRatio {
   [[nodiscard]] std::size_t failed_elements_needed(const LargestAreas& areas) const {
     return areas.points_for(reached());
   }
+  [[nodiscard]] double failed_area_needed() const { return reached(); }
   void validate() const { require_positive("FailedAreaRatio.critical", critical); }
 
  private:
