@@ -31,7 +31,7 @@ TEST_CASE("the recommended policies, with the limit of their mesh") {
   CHECK(is<MeanTensionLine>(preset.breakage_model.line_fit));
   CHECK(preset.stress_model.mesher.triangles == 50);
   // That of 200 sampling points in the table of calibrated_limit.
-  CHECK(preset.breakage_model.trigger.critical == test::near_relative(0.372, 1e-12));
+  CHECK(preset.breakage_model.trigger.critical == test::near_relative(0.377, 1e-12));
 }
 
 TEST_CASE("a biaxial test with the recommended policies breaks particles, screened or not") {
