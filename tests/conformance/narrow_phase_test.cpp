@@ -4,6 +4,7 @@
 #include <support/violated.hpp>
 
 #include <riprap/conformance/narrow_phase.hpp>
+#include <riprap/contact/narrow_phase/narrow_phase_choice.hpp>
 #include <riprap/contact/narrow_phase/no_overlap.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/contact/narrow_phase/overlap_moments.hpp>
@@ -87,6 +88,8 @@ TEST_CASE("the narrow phases of riprap obey the axioms") {
   CHECK(to_text(narrow_phase_violations(SeparatingAxis{}, 10)) == "");
   CHECK(to_text(narrow_phase_unit_violations(SeparatingAxis{}, SeparatingAxis{})) == "");
   CHECK(to_text(narrow_phase_violations(OverlapMoments{})) == "");
+  CHECK(to_text(narrow_phase_violations(
+            NarrowPhaseChoice<OverlapChord, OverlapMoments>{OverlapMoments{}})) == "");
   CHECK(to_text(narrow_phase_violations(OverlapMoments{}, 10)) == "");
   CHECK(to_text(narrow_phase_unit_violations(OverlapMoments{}, OverlapMoments{})) == "");
   CHECK(to_text(narrow_phase_violations(NoOverlap{})) == "");

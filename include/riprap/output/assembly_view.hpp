@@ -86,8 +86,9 @@ class AssemblyView {
   void outlines(Svg& svg, const Particles& particles) const {
     for (BodyIndex i = 0; i < particles.size(); ++i)
       svg.polygon((*this)(particles.ring(i)),
-                  std::string("fill=\"") + (particles.body(i).is_free() ? "#faf7f0" : "#e3e5e8") +
-                      "\" stroke=\"#c9c4b8\" stroke-width=\"0.5\"");
+                  particles.body(i).is_free()
+                      ? R"(fill="#faf7f0" stroke="#c9c4b8" stroke-width="0.5")"
+                      : R"(fill="#e3e5e8" stroke="#c9c4b8" stroke-width="0.5")");
   }
 
   /// Title, the two axes and a scale bar of a round length.

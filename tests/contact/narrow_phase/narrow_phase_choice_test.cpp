@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include <riprap/conformance/narrow_phase.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/contact/narrow_phase/overlap_moments.hpp>
 #include <riprap/contact/narrow_phase/separating_axis.hpp>
@@ -27,11 +26,6 @@ TEST_CASE("a chosen narrow phase runs to the same bytes as the narrow phase itse
   CHECK(test::same_bytes(run(Choice{OverlapChord{}}), run(OverlapChord{})));
   CHECK(test::same_bytes(run(Choice{SeparatingAxis{}}), run(SeparatingAxis{})));
   CHECK(!test::same_bytes(run(Choice{OverlapMoments{}}), run(Choice{OverlapChord{}})));
-}
-
-TEST_CASE("a chosen narrow phase obeys the axioms of the role") {
-  CHECK(to_text(narrow_phase_violations(Choice{OverlapMoments{}})) == "");
-  CHECK(to_text(narrow_phase_violations(Choice{OverlapChord{}})) == "");
 }
 
 TEST_CASE("a pair forgets what it has cached for another narrow phase") {
