@@ -4,7 +4,7 @@
 #include <support/violated.hpp>
 
 #include <riprap/conformance/simulation.hpp>
-#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
+#include <riprap/contact/contact_law/energy_conserving_spring.hpp>
 #include <riprap/contact/contact_law/spring_dashpot.hpp>
 #include <riprap/dynamics/damping/viscous_damping.hpp>
 #include <riprap/dynamics/integrator/velocity_verlet.hpp>
@@ -16,7 +16,7 @@ using test::check_violated;
 namespace {
 
 // The default law and criterion in millimetres, grams and milliseconds: megapascals.
-constexpr LinearSpringCoulomb springs{.normal_stiffness = 2e4, .tangential_stiffness = 2e4};
+constexpr EnergyConservingSpring springs{.normal_stiffness = 2e4, .tangential_stiffness = 2e4};
 constexpr HoekBrown rock_strength{.compressive_strength = 300};
 
 auto model() { return Model{}; }
@@ -71,7 +71,7 @@ TEST_CASE("a user's model gives the same simulation in other units") {
 
 TEST_CASE("a model with a number of its own is reported") {
   check_violated(simulation_unit_violations(
-                     model(), model_in_other_units().contact_law(LinearSpringCoulomb{})),
+                     model(), model_in_other_units().contact_law(EnergyConservingSpring{})),
                  "time is the same in other units");
   check_violated(simulation_unit_violations(model(), model_in_other_units().criterion(HoekBrown{})),
                  "as many particles break in other units");

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
+#include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/experiment/curve.hpp>
 #include <riprap/simulation/simulation.hpp>
 #include <support/near.hpp>
@@ -50,7 +51,7 @@ static_assert(ContactLaw<HalfStated>);
 
 template <class Law>
 auto unbreakable(const Law& law) {
-  return Model{}.criterion(NeverFails{}).contact_law(law);
+  return Model{}.criterion(NeverFails{}).narrow_phase(OverlapChord{}).contact_law(law);
 }
 
 constexpr int steps = 400;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
+#include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/measurement/energy_ledger.hpp>
 
 #include <doctest/doctest.h>
@@ -27,8 +28,11 @@ constexpr double stiffness = 2e7;
 // Masses are those of `area` times thickness times 2500.
 double mass_of(double area) { return 2500 * thickness * area; }
 
+// With forces of the stiffness times the depth.
 auto elastic_model(double friction) {
   return Model{}
+      .narrow_phase(OverlapChord{})
+      .time_step(MassFloor{.fraction = 0.12})
       .criterion(NeverFails{})
       .damping(NoDamping{})
       .contact_law(LinearSpringCoulomb{

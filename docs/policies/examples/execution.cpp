@@ -24,8 +24,8 @@ int main() {
   const auto model = Model{}.criterion(NeverFails{});
   Simulation sim{model.execution(LastToFirst{}), sample, Rock{}};
   Simulation twin{model, sample, Rock{}};
-  sim.boundary().set_rate(5, 5), twin.boundary().set_rate(5, 5);
-  for (int i = 0; i < 200; ++i) sim.step(), twin.step();
+  sim.boundary().set_rate(50, 50), twin.boundary().set_rate(50, 50);
+  for (int i = 0; i < 400; ++i) sim.step(), twin.step();
   bool same = twin.particles().body(299).contact.force.norm() > 0;  // it has met others
   for (BodyIndex i = 0; i < sample.particles.size(); ++i)
     same = same && sim.particles().body(i).position == twin.particles().body(i).position;
