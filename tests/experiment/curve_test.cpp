@@ -51,7 +51,11 @@ static_assert(ContactLaw<HalfStated>);
 
 template <class Law>
 auto unbreakable(const Law& law) {
-  return Model{}.criterion(NeverFails{}).narrow_phase(OverlapChord{}).contact_law(law);
+  return Model{}
+      .criterion(NeverFails{})
+      .narrow_phase(OverlapChord{})
+      .contact_law(law)
+      .time_step(MassFloor{.fraction = 0.12});
 }
 
 constexpr int steps = 400;
