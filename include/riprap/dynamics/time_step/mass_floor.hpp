@@ -11,8 +11,9 @@
 
 namespace riprap {
 
-/// dt = fraction * sqrt(m / k), with k the contact law's peak stiffness. See docs/theory/time_step.md
-/// for what the fraction changes; 0.12 is for laws that make energy, as LinearSpringCoulomb.
+/// dt = fraction * sqrt(m / k), with k the contact law's peak stiffness. See
+/// docs/theory/time_step.md for what the fraction changes; 0.12 is for laws that make energy, as
+/// LinearSpringCoulomb.
 struct MassFloor {
   double fraction = 0.24;  ///< of sqrt(m / k) [-]
 
