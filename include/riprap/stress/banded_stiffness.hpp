@@ -4,8 +4,7 @@
 /// Stiffness matrix of a mesh within the band about its diagonal, and its factorisation.
 
 #include <cstddef>
-#include <span>
-#include <utility>
+#include <cstdint>
 #include <vector>
 
 #include <riprap/core/linkage.hpp>

@@ -11,8 +11,8 @@ namespace riprap {
 
 namespace internal {
 
-/// Nodes in the order in which they lie along the particle: from the node farthest from the
-/// centroid, the origin, to the other end.
+/// Nodes in the order in which they lie along the particle: from one end to the node farthest from
+/// the centroid, the origin.
 [[nodiscard]] RIPRAP_INLINE std::vector<std::uint32_t> nodes_along(const std::vector<Vec2>& nodes) {
   Vec2 along = nodes.front();
   for (const Vec2& x : nodes)
