@@ -284,3 +284,20 @@ TEST_CASE("weights say as much as numbers where all are equal, and no set of ele
     CHECK(uneven.stress_margin <= (1 + 1e-6) * screening(stress, 16).stress_margin);
   }
 }
+
+TEST_CASE("weights of many elements add up to what they are") {
+  // Elements of 1.0002 and 0.9998, of which 8,000 of the larger have failed. Added up one by one in
+  // single precision, every one beyond 4,096 counts as 1: the sum is 0.8 too small.
+  constexpr std::size_t elements = 20000;
+  constexpr std::size_t failed = 8000;
+  FailureScreening screening(MohrRadiusTable::of(Rankine{.tension = 12e6}));
+  ElementStressF32 stress;
+  stress.elements = stress.stride = elements;
+  stress.values.assign(3 * elements, 0);
+  std::vector<float> weights(elements, 0.9998f);
+  for (std::size_t i = 0; i < elements / 2; ++i) weights[i] = 1.0002f;
+  for (std::size_t i = 0; i < failed; ++i) stress.values[i] = -20e6f;
+  CHECK(screening(stress, weights, 1.0002 * failed).possible == failed);
+  // 2e-5 of all weights are allowed for.
+  CHECK(screening(stress, weights, 1.0002 * failed + 0.5).possible == 0);
+}

@@ -129,24 +129,25 @@ RIPRAP_INLINE ScreeningResult FailureScreening::operator()(const ElementStressF3
                                                            double needed) {
   if (!(stress.error < 1e30)) return {.possible = stress.elements};
   find_distances(stress);
-  const auto elements = static_cast<float>(stress.elements);
-  const float round_off = 2e-5f * elements;  // of sums in single precision
-  const float enough = static_cast<float>(needed) - round_off;
+  const double round_off = 2e-5 * static_cast<double>(stress.elements);  // of the squares
+  const double enough = needed - round_off;
   ScreeningResult result;
-  float failed = 0;
-  float all = 0;
-  std::array<float, internal::distance_bins> sums{};
+  // Sums of thousands of weights in single precision would err by more than that.
+  double failed = 0;
+  double all = 0;
+  std::array<double, internal::distance_bins> sums{};
   for (std::size_t e = 0; e < stress.elements; ++e) {
-    all += weights[e];
+    const auto weight = static_cast<double>(weights[e]);
+    all += weight;
     if (!(distances_[e] > 0)) {
-      failed += weights[e];
+      failed += weight;
       distances_[e] = 0;
       ++result.possible;
     }
-    sums[internal::distance_bin(distances_[e] / std::sqrt(weights[e]))] += weights[e];
+    sums[internal::distance_bin(distances_[e] / std::sqrt(weights[e]))] += weight;
   }
   if (failed < enough) result.possible = 0;
-  float below = 0;
+  double below = 0;
   std::size_t b = 0;
   while (b < sums.size() && below + sums[b] < enough) below += sums[b++];
   if (b == sums.size()) {
@@ -154,13 +155,13 @@ RIPRAP_INLINE ScreeningResult FailureScreening::operator()(const ElementStressF3
     return result;
   }
   const float edge = internal::lower_edge(b);
-  float squares = 0;
+  double squares = 0;
   for (std::size_t e = 0; e < stress.elements; ++e)
-    squares += std::min(distances_[e] * distances_[e], weights[e] * edge * edge);
-  const float left_out = all - enough + round_off;
+    squares +=
+        static_cast<double>(std::min(distances_[e] * distances_[e], weights[e] * edge * edge));
+  const double left_out = (all - enough + round_off) * static_cast<double>(edge * edge);
   result.stress_margin =
-      static_cast<double>(std::sqrt(std::max(0.0f, squares - left_out * edge * edge))) /
-      static_cast<double>(inverse_unit_);
+      std::sqrt(std::max(0.0, squares - left_out)) / static_cast<double>(inverse_unit_);
   return result;
 }
 
