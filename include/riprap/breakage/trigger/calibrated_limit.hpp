@@ -46,9 +46,9 @@ inline constexpr CalibratedLimit linear_strain_limits[] = {
 /// load that 0.4 gives on a very fine mesh: 0.245 at 25 sampling points, 0.285 at 50, 0.328 at 100,
 /// 0.353 at 200, 0.371 at 400, linear in the logarithm of their number in between.
 ///
-/// The median of 1,671 particles and pieces under the loads of biaxial tests at 2, 8 and 14 MPa:
+/// The median of 1,180 intact particles under the loads of biaxial tests at 2, 8 and 14 MPa:
 /// HoekBrown with Table 1's rock, PlaneStress, InertiaRelief, UniformMesher. docs/convergence.md
-/// has each pressure and other rocks.
+/// has each pressure, pieces and other rocks.
 /// @param samples  sampling points asked for, 25 to 400: the number of triangles of the mesher
 /// Throws InvalidInput outside this range.
 [[nodiscard]] inline double calibrated_limit(const ConstantStrainTriangle&, std::size_t samples) {

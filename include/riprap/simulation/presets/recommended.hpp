@@ -13,9 +13,9 @@
 
 namespace riprap::presets {
 
-/// Model{} with four choices of its own: contacts that conserve energy; 50 six-node triangles; a
-/// failed share of the area, whose limit is that of the mesh (0.377 of 200 sampling points stands
-/// for 0.4 of a very fine mesh); a crack across the mean tension. docs/presets.md has what differs.
+/// Model{}, with its contacts named, and three choices of its own: 50 six-node triangles; a failed
+/// share of the area, whose limit is that of the mesh (0.377 of 200 sampling points stands for 0.4
+/// of a very fine mesh); a crack across the mean tension. docs/presets.md has what differs.
 [[nodiscard]] inline auto recommended() {
   constexpr unsigned triangles = 50;
   constexpr LinearStrainTriangle element{};
