@@ -3,9 +3,9 @@
 //
 // step/no_breakage/N   polygons of 5 to 8 corners at 2 MPa, without stress in the particles; larger
 //                      samples repeat the cell of the smallest
-// step/energy_conserving/N  the same with OverlapMoments and EnergyConservingSpring, at the same
-//                      time step
-// step/breakage/P      500 sharp particles in a biaxial test at P, as examples/biaxial runs it: the
+// step/chord/N         the same with OverlapChord and LinearSpringCoulomb, at the time step for
+// them step/breakage/P      500 sharp particles in a biaxial test at P, as examples/biaxial runs
+// it: the
 //                      stress is checked in each at every step, and what has to break breaks. The
 //                      counters say what share of the time the checks are. Timed in the first 3 %
 //                      of strain; the servo steers on, untimed
@@ -14,10 +14,9 @@
 // Each sample is brought to shear once, outside the timing, which takes some seconds.
 
 #include <map>
-#include <numbers>
 
-#include <riprap/contact/contact_law/energy_conserving_spring.hpp>
-#include <riprap/contact/narrow_phase/overlap_moments.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
+#include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/measurement/coordination.hpp>
 #include <riprap/measurement/step_timer.hpp>
@@ -66,14 +65,13 @@ BENCHMARK(no_breakage)
     ->Arg(50000)
     ->Arg(100000);
 
-void energy_conserving(benchmark::State& state) {
-  // The peak stiffness is twice that of the default.
+void chord(benchmark::State& state) {
   step_without_breakage(state, Model{}
-                                   .narrow_phase(OverlapMoments{})
-                                   .contact_law(EnergyConservingSpring{})
-                                   .time_step(MassFloor{.fraction = 0.12 * std::numbers::sqrt2}));
+                                   .narrow_phase(OverlapChord{})
+                                   .contact_law(LinearSpringCoulomb{})
+                                   .time_step(MassFloor{.fraction = 0.12}));
 }
-BENCHMARK(energy_conserving)->Name("step/energy_conserving")->Arg(500)->Arg(5000);
+BENCHMARK(chord)->Name("step/chord")->Arg(500)->Arg(5000);
 
 // Keeps what a timer says at the beginning of shear.
 struct BeforeShear {
