@@ -41,13 +41,6 @@ std::string to_text(const Part& part) {
   return out;
 }
 
-Estimate effect_of(const Part& part) {
-  Estimate effect = part.pooled;
-  effect.mean -= part.threshold;
-  if (part.claimed == Claimed::below) effect.mean = -effect.mean;
-  return effect;
-}
-
 // "a_n: slope per tenfold pressure -0.041 +- 0.006, p = 0.0003: as claimed".
 std::string test_text(const Part& part) {
   std::string out = (part.label.empty() ? "" : part.label + ": ") + part.quantity + " " +
@@ -55,7 +48,7 @@ std::string test_text(const Part& part) {
   if (part.threshold != 0)
     out += std::string(part.claimed == Claimed::above ? ", to be above " : ", to be below ") +
            short_number(part.threshold);
-  const double p = p_value(effect_of(part));
+  const double p = p_value(effect_of(part, part.pooled));
   return out + ", p " + (p < 1e-4 ? "< 0.0001" : "= " + short_number(p)) + ": " + to_text(part);
 }
 
@@ -180,7 +173,7 @@ Json to_json(const Claim& claim) {
                      {"mean", real_json(part.pooled.mean)},
                      {"standard_error", real_json(part.pooled.standard_error)},
                      {"samples", part.pooled.samples},
-                     {"p", real_json(p_value(effect_of(part)))},
+                     {"p", real_json(p_value(effect_of(part, part.pooled)))},
                      {"shown", to_text(part)}});
   }
   for (const Finding& f : claim.evidence.shown_only) add("", f);

@@ -35,7 +35,8 @@ Claim falls_and_levels(const Results& results) {
        .figures = {12},
        .text = "The coordination number falls in shear, with and without breakage, and becomes "
                "nearly constant at large strain.",
-       .rule = "it is lower over the last 5 % of strain than at the start; and its change between "
+       .rule = "it is lower over the last 5 % of strain than at the start (less than 0.1 counts as "
+               "nothing); and its change between "
                "the last two windows of 5 % is less than a seventh of that fall, half the pace of "
                "a steady one",
        .quantity = "fall of the coordination number (2M/N), and the last share of it",
@@ -83,8 +84,9 @@ Claim rises_with_pressure(const Results& results) {
        .section = "4.2",
        .figures = {12},
        .text = "The higher the confining pressure, the more contacts there are.",
-       .rule = "the slope of the coordination number (2M/N) over the logarithm of pressure, at the "
-               "start and over the last 5 % of strain, is above 0",
+       .rule =
+           "the slope of the coordination number (2M/N) over the logarithm of pressure, at the "
+           "start and over the last 5 % of strain, is above 0; less than 0.05 counts as nothing",
        .quantity = "coordination number",
        .if_holds = "Contacts are springs: pressure closes gaps between stiff particles."},
       {{slope_part(results, {.label = "start", .margin = 0.05}, both_series(),
@@ -120,8 +122,10 @@ Part correlation_part(const Results& results) {
     const Cell contacts = difference(coordination_at_end);
     if (volumes.empty()) part.missing.push_back("WB less NB at " + pressure_text(pressure));
     for (const auto& [sample, v] : volumes) {
+      const auto found = contacts.find(sample);
+      if (found == contacts.end()) continue;
       effects[sample][0].push_back(v);
-      effects[sample][1].push_back(contacts.at(sample));
+      effects[sample][1].push_back(found->second);
     }
   }
   std::vector<double> all;
@@ -167,7 +171,8 @@ std::vector<Claim> volume_claims(const Results& results) {
               .figures = {14},
               .text = "Higher confining pressure makes the sample more compressible.",
               .rule = "the slope of the volumetric strain (contraction positive) over the last 5 % "
-                      "of strain over the logarithm of pressure is above 0",
+                      "of strain over the logarithm of pressure is above 0; less than 0.5 % counts "
+                      "as nothing",
               .quantity = "volumetric strain"},
              {{slope_part(results, {.margin = 0.005}, both_series(), volume_at_end)}})};
 }

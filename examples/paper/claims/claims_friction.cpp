@@ -37,7 +37,9 @@ Claim fails_at_higher_stress(const Results& results) {
        .section = "4.4",
        .figures = {19},
        .text = "At higher confining pressure the sample fails at a higher axial stress.",
-       .rule = "the slope of the largest axial stress over the logarithm of pressure is above 0",
+       .rule =
+           "the slope of the largest axial stress over the logarithm of pressure is above 0; less "
+           "than 0.1 MPa counts as nothing",
        .quantity = "largest axial stress [MPa]",
        .if_holds = "It has to: the axial stress is the confining pressure times a ratio that "
                    "friction bounds. Should the paper mean the axial strain, the table of results "

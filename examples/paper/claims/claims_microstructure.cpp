@@ -243,7 +243,8 @@ Claim breaks_in_bands(const Results& results) {
        .rule = "more than half of the breakages in shear happen in the tenth of the particles with "
                "the most shear around them over the 6 % of strain in which they break (after 18 % "
                "of strain, over the last ones); and of all particles more than half, which is what "
-               "chance gives, have less shear around them than the broken one, in the mean; at 4, "
+               "chance gives, have less shear around them than the broken one, in the mean (less "
+               "than 0.05 beyond a half counts as nothing); at 4, "
                "8 and 14 MPa",
        .quantity = "share of breakages, and mean rank",
        .if_holds = text,

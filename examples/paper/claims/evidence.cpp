@@ -14,13 +14,6 @@ struct Place {
   Cell cell;
 };
 
-// The effect that the part claims to be above 0.
-Estimate effect_of(const Part& part, Estimate value) {
-  value.mean -= part.threshold;
-  if (part.claimed == Claimed::below) value.mean = -value.mean;
-  return value;
-}
-
 double level_of_one(std::size_t tests) { return 1 - (1 - test_level) / static_cast<double>(tests); }
 
 Part part_of(const Asked& asked, const std::string& quantity) {
@@ -76,6 +69,12 @@ void judge(Part& part, const std::vector<Place>& places, const std::vector<doubl
 }
 
 }  // namespace
+
+Estimate effect_of(const Part& part, Estimate value) {
+  value.mean -= part.threshold;
+  if (part.claimed == Claimed::below) value.mean = -value.mean;
+  return value;
+}
 
 Cell cell(const std::vector<const Run*>& runs, const Feature& feature) {
   Cell out;

@@ -36,11 +36,15 @@ struct Part {
   std::vector<Finding> findings = {};
   Estimate pooled = {};
   Shown shown = Shown::neither;
-  // A series at a pressure is clearly the other way, at the level divided by their number
-  // (Bonferroni).
+  // A series at a pressure, or of a slope a step between two pressures, is clearly the other way:
+  // by a test that divides the probability of error by their number (Bonferroni).
   bool contradicted = false;
   std::vector<std::string> missing = {};  // what the runs would have to have besides
 };
+
+// The effect that the part claims to be above 0: how far beyond the threshold a value of its number
+// lies.
+Estimate effect_of(const Part& part, Estimate value);
 
 struct Evidence {
   std::vector<Part> parts;

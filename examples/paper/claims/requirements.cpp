@@ -67,7 +67,7 @@ Requirement eq_14_in_the_mean(const Results& results) {
   return {"Eq. 14 is closer to eq. 12 than eq. 15 is, in the mean of all runs with and without "
           "breakage.",
           "mean distance " + number(by_14 / count, 3) + " against " + number(by_15 / count, 3),
-          met(by_14<by_15, count> 0)};
+          met((by_14 < by_15), count > 0)};
 }
 
 Requirement eq_14_everywhere(const Results& results, Mode mode) {

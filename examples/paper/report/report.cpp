@@ -122,9 +122,9 @@ void add_rows(Document& document, const Results& results) {
   document.push_back(table);
   add(document,
       "The same less the series, sample by sample, with the standard error; bold is what Student's "
-      "two-sided test has with 95 %, of which one in twenty is expected by chance. Blunt particles "
-      "and periodic cells are samples of their own: a pair of them with the same number has "
-      "nothing in common.");
+      "two-sided test has with 95 %, of which one in twenty is expected by chance. Blunt "
+      "particles, periodic cells and ten times as many particles are samples of their own: a pair "
+      "of them with the same number has nothing in common.");
   document.push_back(row_changes_table(results));
   if (const std::string text = softness_text(results); !text.empty()) add(document, text);
 }
