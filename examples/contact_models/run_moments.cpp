@@ -7,7 +7,10 @@ namespace contact_models {
 
 // At the time step of the others: its peak stiffness is twice theirs.
 BiaxialNumbers run_moments(const Setup& setup) {
-  return run_table::run_biaxial(riprap::Model{}.time_step(riprap::MassFloor{.fraction = 0.17}),
+  return run_table::run_biaxial(riprap::Model{}
+                                    .narrow_phase(riprap::OverlapMoments{})
+                                    .contact_law(riprap::EnergyConservingSpring{})
+                                    .time_step(riprap::MassFloor{.fraction = 0.17}),
                                 setup);
 }
 

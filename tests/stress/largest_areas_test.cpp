@@ -36,4 +36,20 @@ TEST_CASE("fewer points than the largest that reach a share never reach it") {
   }
 }
 
+// Of single precision, 6e-8 of each, and raised by 1e-6.
+TEST_CASE("a weight is the area of its point over the mean of all, or a little more") {
+  Random random(812);
+  const Mesh mesh = test::random_mesh(random, 60);
+  const SamplingPoints points(mesh, LinearStrainTriangle::sampling_points);
+  double whole = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) whole += points.area(i);
+  const LargestAreas largest(points);
+  REQUIRE(largest.weights().size() == points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double exact = points.area(i) * static_cast<double>(points.size()) / whole;
+    CHECK(static_cast<double>(largest.weights()[i]) >= exact);
+    CHECK(static_cast<double>(largest.weights()[i]) <= (1 + 1.2e-6) * exact);
+  }
+}
+
 TEST_CASE("without points nothing is reached") { CHECK(LargestAreas{}.points_for(0.4) == 1); }
