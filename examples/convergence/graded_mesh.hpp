@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 // A mesh whose triangles grow with the distance from given points. No Mesher of riprap: a mesher
-// knows the shape of a particle and not its contacts, and divides edges evenly.
+// is given the shape of a particle and not its contacts, and divides edges evenly.
 
 #include <span>
 #include <vector>

@@ -93,7 +93,8 @@ constexpr std::array parameters{
               "in place of Table 1's strain rate of 0.005 %, which has no unit of time; half of it "
               "below 1 MPa"},
     Parameter{"local damping", "/motion/local_damping", 1, "", "open"},
-    Parameter{"time step over sqrt(m / k_n)", "/motion/time_step_fraction", 1, "", "open"},
+    Parameter{"time step over sqrt(m / k)", "/motion/time_step_fraction", 1, "",
+              "open; k is the peak stiffness, twice the normal stiffness"},
     Parameter{"triangles of a particle's mesh", "/breakage/mesh_triangles", 1, "",
               "open; a finer mesh raises Rat by some hundredths"},
     Parameter{"smallest piece over the mean area", "/breakage/minimum_piece_area", 1, "",
