@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <riprap/output/file.hpp>
 
 #include "../command_line/program.hpp"
+#include "../run_table/options.hpp"
 #include "../run_table/tasks.hpp"
 #include "run.hpp"
 
@@ -33,13 +33,11 @@ const std::vector<NamedModel> models{
     {"moments", "OverlapMoments, EnergyConservingSpring", run_moments},
 };
 
-struct Options {
+struct Options : run_table::RunOptions {
   std::vector<double> pressures{0.5, 2, 8, 14};  // [MPa]
   unsigned samples = 8;
   unsigned particles = 500;
   double strain = 0.2;
-  unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
-  std::string out = "contact_models";
 };
 
 run_table::Task task(const NamedModel& model, const Setup& setup, const fs::path& file) {
@@ -69,9 +67,7 @@ int compare(const Options& o) {
   run_table::make_results(tasks, o.jobs);
   for (std::size_t k = 0; k < tasks.size(); ++k)
     rows[k / o.samples].runs.push_back(run_table::numbers_of(tasks[k]));
-  const std::string text = run_table::table({"MPa", "model"}, rows);
-  riprap::write_file(fs::path(o.out) / "table.md", text);
-  std::fputs(text.c_str(), stdout);
+  run_table::leave_table(o.out, {"MPa", "model"}, rows);
   return command_line::finished;
 }
 
@@ -79,6 +75,7 @@ int compare(const Options& o) {
 
 int main(int argc, char** argv) {
   Options o;
+  o.out = "contact_models";
   CLI::App app{"Contact models compared in the biaxial test. Mean and standard deviation of the "
                "samples; energies as shares of the boundary work, what is made is negative."};
   app.add_option("--pressures", o.pressures, "confining pressures [MPa]")->capture_default_str();
@@ -87,11 +84,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 1000));
   app.add_option("--particles", o.particles, "of a sample")->capture_default_str();
   app.add_option("--strain", o.strain, "axial strain of shear")->capture_default_str();
-  app.add_option("--jobs", o.jobs, "runs at a time")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  app.add_option("--out", o.out, "folder of the results; runs in it are kept")
-      ->capture_default_str();
+  run_table::add_options(app, o, "runs");
   command_line::parse_or_exit(app, [&] { app.parse(argc, argv); });
   return command_line::run_program({}, [&] { return compare(o); });
 }

@@ -11,12 +11,12 @@
 #include <numbers>
 #include <numeric>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <riprap/output/file.hpp>
 
 #include "../command_line/program.hpp"
+#include "../run_table/options.hpp"
 #include "../run_table/tasks.hpp"
 #include "report.hpp"
 
@@ -25,11 +25,9 @@ using namespace convergence;
 
 namespace {
 
-struct Options {
+struct Options : run_table::RunOptions {
   unsigned particles = 500;
   unsigned measured = 500;
-  unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
-  std::string out = "convergence";
   bool quick = false;
 };
 
@@ -152,6 +150,7 @@ int study(const Options& o) {
 
 int main(int argc, char** argv) {
   Options o;
+  o.out = "convergence";
   CLI::App app{
       "The load at which 0.4 of a particle's area has failed and its crack, on meshes of 25 "
       "to 800 points, beside those on a very fine mesh. Particles with three contacts or "
@@ -160,11 +159,7 @@ int main(int argc, char** argv) {
   app.add_option("--measured", o.measured, "most particles of a test that are measured")
       ->capture_default_str()
       ->check(CLI::Range(1, 100000));
-  app.add_option("--jobs", o.jobs, "parts at a time")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  app.add_option("--out", o.out, "folder of the results; finished parts in it are kept")
-      ->capture_default_str();
+  run_table::add_options(app, o, "parts");
   app.add_flag("--quick", o.quick, "four particles of a small test, as a trial");
   command_line::parse_or_exit(app, [&] { app.parse(argc, argv); });
   if (o.quick) {

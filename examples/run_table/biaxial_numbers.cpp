@@ -5,6 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <riprap/output/file.hpp>
+
 namespace run_table {
 
 std::string to_lines(const BiaxialNumbers& numbers) {
@@ -53,6 +55,13 @@ std::string table(const std::vector<std::string>& first, const std::vector<Row>&
     text += "\n";
   }
   return text;
+}
+
+void leave_table(const std::filesystem::path& folder, const std::vector<std::string>& first,
+                 const std::vector<Row>& rows) {
+  const std::string text = table(first, rows);
+  riprap::write_file(folder / "table.md", text);
+  std::fputs(text.c_str(), stdout);
 }
 
 }  // namespace run_table

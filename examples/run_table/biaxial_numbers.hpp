@@ -59,5 +59,8 @@ struct Row {
 // In Markdown; `first` are the titles of the first columns.
 [[nodiscard]] std::string table(const std::vector<std::string>& first,
                                 const std::vector<Row>& rows);
+// As table.md in the folder and on stdout.
+void leave_table(const std::filesystem::path& folder, const std::vector<std::string>& first,
+                 const std::vector<Row>& rows);
 
 }  // namespace run_table

@@ -8,12 +8,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <riprap/output/file.hpp>
 
 #include "../command_line/program.hpp"
+#include "../run_table/options.hpp"
 #include "../run_table/run_biaxial.hpp"
 #include "../run_table/tasks.hpp"
 
@@ -21,13 +21,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Options {
+struct Options : run_table::RunOptions {
   double pressure = 8;  // [MPa]
   unsigned samples = 4;
   unsigned particles = 500;
   double strain = 0.2;
-  unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
-  std::string out = "sensitivity";
   bool quick = false;
 };
 
@@ -129,9 +127,7 @@ int tabulate(const Options& o) {
     for (unsigned seed = 1; seed <= v.samples; ++seed)
       rows.back().runs.push_back(run_table::numbers_of(task(v, seed, o.out)));
   }
-  const std::string text = run_table::table({"factor", "value", "samples"}, rows);
-  riprap::write_file(fs::path(o.out) / "table.md", text);
-  std::fputs(text.c_str(), stdout);
+  run_table::leave_table(o.out, {"factor", "value", "samples"}, rows);
   return command_line::finished;
 }
 
@@ -139,6 +135,7 @@ int tabulate(const Options& o) {
 
 int main(int argc, char** argv) {
   Options o;
+  o.out = "sensitivity";
   CLI::App app{"Biaxial tests with one numerical parameter at a time other than in the base case. "
                "Mean and standard deviation of the samples; energies as shares of the boundary "
                "work, what is made is negative."};
@@ -149,11 +146,7 @@ int main(int argc, char** argv) {
   app.add_option("--particles", o.particles, "of the base case; 3 and 10 times as many are tried")
       ->capture_default_str();
   app.add_option("--strain", o.strain, "axial strain of shear")->capture_default_str();
-  app.add_option("--jobs", o.jobs, "runs at a time")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  app.add_option("--out", o.out, "folder of the results; runs in it are kept")
-      ->capture_default_str();
+  run_table::add_options(app, o, "runs");
   app.add_flag("--quick", o.quick, "one sample of 40 particles to a strain of 0.002, as a trial");
   command_line::parse_or_exit(app, [&] { app.parse(argc, argv); });
   if (o.quick) {

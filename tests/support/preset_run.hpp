@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <type_traits>
 
 #include <riprap/conformance/acceleration.hpp>
 #include <riprap/experiment/biaxial_test.hpp>
@@ -13,6 +14,11 @@
 #include <riprap/particle/random_assembly.hpp>
 
 namespace riprap::test {
+
+template <class Policy, class T>
+[[nodiscard]] constexpr bool is(const T& /*policy*/) {
+  return std::is_same_v<Policy, T>;
+}
 
 struct PresetRun {
   std::string tables;

@@ -8,10 +8,11 @@
 #include <riprap/contact/narrow_phase/polygon_moments.hpp>
 #include <riprap/core/random.hpp>
 #include <riprap/geometry/overlap.hpp>
-#include <support/near.hpp>
+#include <support/contact_geometry.hpp>
 
 using namespace riprap;
-using test::near;
+using test::check_moments;
+using test::same_bits;
 
 namespace {
 
@@ -34,13 +35,7 @@ TEST_CASE("the closed form of two corners has the moments of the clipped overlap
     REQUIRE(contact);
     const PolygonMoments m = polygon_moments(overlap(below.ring(), b.ring(), {0, 0}, 0));
     // Round-off of coordinates of size 2, over the least depth of 0.02.
-    const double digits = 1e-13;
-    CHECK(contact->area == near(m.area, digits));
-    CHECK(contact->depth == near(m.depth, digits));
-    const Vec2 force = contact->depth_gradient * contact->normal;
-    CHECK((force - m.gradient).norm() <= 10 * digits);
-    CHECK(cross(contact->point - m.centroid, force) == near(m.rotation, 10 * digits));
-    CHECK((contact->point - m.centroid).dot(contact->normal) == near(0, digits));
+    check_moments(*contact, m, 1e-13);
   }
 }
 
@@ -57,12 +52,7 @@ TEST_CASE("corners evaluated together are those evaluated one by one, to the las
           ++found;
           const auto single = corner_corner_overlap<internal::CornerMoments>(queries[k]);
           REQUIRE(single);
-          CHECK(contact.normal == single->normal);
-          CHECK(contact.point == single->point);
-          CHECK(contact.depth == single->depth);
-          CHECK(contact.area == single->area);
-          CHECK(contact.chord == single->chord);
-          CHECK(contact.depth_gradient == single->depth_gradient);
+          CHECK(same_bits(contact, *single));
         });
     CHECK(found == 4);
   }

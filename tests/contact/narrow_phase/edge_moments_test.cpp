@@ -8,12 +8,13 @@
 
 #include <riprap/contact/narrow_phase/polygon_moments.hpp>
 #include <riprap/core/random.hpp>
-#include <support/near.hpp>
+#include <support/contact_geometry.hpp>
 #include <support/rectangle.hpp>
 
 using namespace riprap;
-using test::near;
+using test::check_moments;
 using test::rectangle;
+using test::same_bits;
 
 namespace {
 
@@ -29,11 +30,6 @@ ConvexPolygon entering(Random& random, bool face) {
   return {{x - 0.2, -depth}, {x + 0.2, -random.uniform(0.01, 0.3)}, right, left};
 }
 
-bool same_bits(const ContactGeometry& p, const ContactGeometry& q) {
-  return p.normal == q.normal && p.point == q.point && p.depth == q.depth && p.area == q.area &&
-         p.chord == q.chord && p.depth_gradient == q.depth_gradient;
-}
-
 }  // namespace
 
 TEST_CASE("the closed form at an edge has the moments of the clipped overlap") {
@@ -47,13 +43,7 @@ TEST_CASE("the closed form at an edge has the moments of the clipped overlap") {
     REQUIRE(contact);
     const PolygonMoments m = polygon_moments(overlap(floor_below.ring(), b.ring(), {0, 0}, 0));
     // Round-off of coordinates of size 2, over the least depth of 0.01.
-    const double digits = 1e-13;
-    CHECK(contact->area == near(m.area, digits));
-    CHECK(contact->depth == near(m.depth, digits));
-    const Vec2 force = contact->depth_gradient * contact->normal;
-    CHECK((force - m.gradient).norm() <= 10 * digits);
-    CHECK(cross(contact->point - m.centroid, force) == near(m.rotation, 10 * digits));
-    CHECK((contact->point - m.centroid).dot(contact->normal) == near(0, digits));
+    check_moments(*contact, m, 1e-13);
   }
 }
 

@@ -3,20 +3,14 @@
 
 #include <doctest/doctest.h>
 
-#include <type_traits>
-
 #include <support/preset_run.hpp>
 
 using namespace riprap;
+using test::is;
 
 namespace {
 
 const auto preset = presets::bagherzadeh_2008();
-
-template <class Policy, class T>
-constexpr bool is(const T&) {
-  return std::is_same_v<Policy, T>;
-}
 
 }  // namespace
 

@@ -3,21 +3,15 @@
 
 #include <doctest/doctest.h>
 
-#include <type_traits>
-
 #include <support/near.hpp>
 #include <support/preset_run.hpp>
 
 using namespace riprap;
+using test::is;
 
 namespace {
 
 const auto preset = presets::recommended();
-
-template <class Policy, class T>
-constexpr bool is(const T&) {
-  return std::is_same_v<Policy, T>;
-}
 
 }  // namespace
 
