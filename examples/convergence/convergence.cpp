@@ -95,7 +95,8 @@ std::vector<run_table::Task> measurement_tasks(const Origin& origin, const Sampl
     char part[40];
     std::snprintf(part, sizeof part, "_%03zu.csv", first / part_size);
     const std::string key = sample_task(origin, o.out).key + ", particles " +
-                            std::to_string(first) + " to " + std::to_string(last);
+                            std::to_string(first) + " to " + std::to_string(last) + ", limits" +
+                            limits_text();
     tasks.push_back({fs::path(o.out) / ("strength_" + origin.file + part), key,
                      [&sample, numbers, first, last, strain = origin.plane_strain] {
                        std::vector<Measurement> all;

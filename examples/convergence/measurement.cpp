@@ -51,6 +51,12 @@ double limit_of(const MeshChoice& mesh) {
                         : riprap::calibrated_limit(riprap::ConstantStrainTriangle{}, points);
 }
 
+std::string limits_text() {
+  std::string text;
+  for (const MeshChoice& mesh : meshes) text += " " + riprap::to_text(limit_of(mesh));
+  return text;
+}
+
 std::vector<Measurement> measure(const LoadedParticle& particle, const Sample& sample,
                                  const Extent& extent) {
   std::vector<Measurement> all;

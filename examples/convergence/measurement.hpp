@@ -45,6 +45,8 @@ inline constexpr double limit = 0.4;
 }
 // calibrated_limit of riprap, not-a-number beyond its range.
 [[nodiscard]] double limit_of(const MeshChoice& mesh);
+// Of all meshes, with a blank before each: what the numbers of a file depend on.
+[[nodiscard]] std::string limits_text();
 
 struct Measurement {
   std::string mesh;

@@ -8,6 +8,8 @@
 
 #include <riprap/core/version.hpp>
 #include <riprap/riprap.hpp>
+#include <riprap/simulation/presets/bagherzadeh_2008.hpp>
+#include <riprap/simulation/presets/recommended.hpp>
 
 #include "../../biaxial/setup_json.hpp"
 
@@ -89,22 +91,45 @@ Json motion_json(const riprap::Model<>& model) {
   return {{"normal_stiffness_N_m", law.normal_stiffness},
           {"tangential_stiffness_N_m", law.tangential_stiffness},
           {"friction", law.friction},
-          {"local_damping", model.motion_model.damping.coefficient},
-          {"time_step_fraction", model.motion_model.time_step.fraction}};
+          {"local_damping", model.motion_model.damping.coefficient}};
 }
 
 Json breakage_json(const riprap::Model<>& model, const riprap::HoekBrown& c,
                    const riprap::StraightCut& splitter) {
-  const auto& breakage = model.breakage_model;
   return {{"compressive_strength_Pa", c.compressive_strength},
           {"m_b", c.m_b},
           {"s", c.s},
           {"a_b", c.a_b},
-          {"mesh_triangles", model.stress_model.mesher.triangles},
-          {"ratf", breakage.trigger.critical},
           {"minimum_piece_area", splitter.minimum_area},
           {"maximum_piece_aspect", splitter.maximum_aspect},
-          {"check_every", breakage.check_every}};
+          {"check_every", model.breakage_model.check_every}};
+}
+
+const char* name_of(const riprap::OverlapMoments&) { return "OverlapMoments"; }
+const char* name_of(const riprap::OverlapChord&) { return "OverlapChord"; }
+const char* name_of(const riprap::EnergyConservingSpring&) { return "EnergyConservingSpring"; }
+const char* name_of(const riprap::LinearSpringCoulomb&) { return "LinearSpringCoulomb"; }
+const char* measure_of(const riprap::FailedElementRatio&) { return "elements"; }
+const char* measure_of(const riprap::FailedAreaRatio&) { return "area"; }
+
+// What a preset may choose in another way than Model{}.
+template <class ModelType>
+Json policies_json(const ModelType& model) {
+  return {{"narrow_phase", name_of(model.contact_model.narrow_phase)},
+          {"contact_law", name_of(model.contact_model.law)},
+          {"time_step_fraction", model.motion_model.time_step.fraction},
+          {"mesh_triangles", model.stress_model.mesher.triangles},
+          {"nodes_of_triangle", model.stress_model.element.nodes},
+          {"rat_measure", measure_of(model.breakage_model.trigger)},
+          {"ratf", model.breakage_model.trigger.critical}};
+}
+
+Json policies_json(Variation variation) {
+  if (variation == Variation::recommended_preset)
+    return policies_json(riprap::presets::recommended());
+  if (variation == Variation::paper_preset)
+    return policies_json(riprap::presets::bagherzadeh_2008());
+  return policies_json(riprap::Model{});
 }
 
 }  // namespace
@@ -122,7 +147,8 @@ Json RunPlan::parameters() const {
       {"test", test_json(test())},
       {"rock",
        {{"density_kg_m3", rock.density}, {"young_Pa", rock.young}, {"poisson", rock.poisson}}},
-      {"motion", motion_json(model)}};
+      {"motion", motion_json(model)},
+      {"policies", policies_json(variation)}};
   if (mode != Mode::nb) j["breakage"] = breakage_json(model, criterion(), splitter());
   return j;
 }
