@@ -145,6 +145,10 @@ void add_breakage(OptionTable& table, Options& o) {
                    "StraightCut.maximum_aspect", "of a piece, diameter over least width [-]");
   table.add_number("--maximum-pieces", o.splitter.maximum_pieces, "StraightCut.maximum_pieces",
                    "of one intact particle; one more ends the run [-]");
+  table.add_flag(
+      "--dust", o.splitter.dust,
+      "pieces below the least area are cut off and counted, no longer simulated; without "
+      "it such cuts are refused");
   table.add_number("--check-every", o.check_every, "Model.check_every",
                    "steps between stress checks [-]");
 }

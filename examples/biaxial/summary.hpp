@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
-// The summary of a biaxial test: every parameter and dimensionless number, peaks, counts, times.
+// The summary of a biaxial test: parameters, dimensionless numbers, peaks, counts, times.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "grading_json.hpp"
-#include "policies.hpp"
+#include "parameters_json.hpp"
 #include "result_files.hpp"
-#include "setup_json.hpp"
-
-// Keeps the order in which things are written.
-using Json = nlohmann::ordered_json;
 
 inline Json point_json(const riprap::CurvePoint& p) {
   return {{"axial_strain", p.axial_strain},
@@ -32,127 +26,6 @@ inline Json point_json(const riprap::CurvePoint& p) {
           {"coordination_number", p.coordination.coordination_number},
           {"contacts_per_particle", p.coordination.contacts_per_particle},
           {"porosity", p.porosity}};
-}
-
-inline Json criterion_json(const riprap::HoekBrown& c) {
-  return {{"name", "hoek-brown"},
-          {"compressive_strength_Pa", c.compressive_strength},
-          {"m_b", c.m_b},
-          {"s", c.s},
-          {"a_b", c.a_b},
-          {"angle", c.angle == riprap::HoekBrown::Angle::tangent ? "tangent" : "equivalent"}};
-}
-inline Json criterion_json(const riprap::MohrCoulomb& c) {
-  return {{"name", "mohr-coulomb"},
-          {"cohesion_Pa", c.cohesion},
-          {"angle_rad", c.angle},
-          {"tension_Pa", c.tension}};
-}
-inline Json criterion_json(const riprap::Griffith& c) {
-  return {{"name", "griffith"}, {"tension_Pa", c.tension}};
-}
-inline Json criterion_json(const riprap::ModifiedGriffith& c) {
-  return {{"name", "modified-griffith"}, {"tension_Pa", c.tension}, {"friction", c.friction}};
-}
-inline Json criterion_json(const riprap::Murrell& c) {
-  return {{"name", "murrell"}, {"tension_Pa", c.tension}};
-}
-inline Json criterion_json(const riprap::Hobbs& c) {
-  return {{"name", "hobbs"},
-          {"compressive_strength_Pa", c.compressive_strength},
-          {"factor", c.factor},
-          {"exponent", c.exponent},
-          {"tension_Pa", c.tension}};
-}
-inline Json criterion_json(const riprap::Franklin& c) {
-  return {{"name", "franklin"},
-          {"compressive_strength_Pa", c.compressive_strength},
-          {"exponent", c.exponent},
-          {"tension_Pa", c.tension}};
-}
-
-inline Json criterion_json(const AnyCriterion& criterion) {
-  return std::visit([](const auto& c) { return criterion_json(c); }, criterion.chosen);
-}
-
-// RatF is of a measure.
-inline const char* rat_measure(const riprap::FailedElementRatio&) { return "elements"; }
-inline const char* rat_measure(const riprap::FailedAreaRatio&) { return "area"; }
-
-template <class Law>
-Json springs_json(const char* name, const Law& law) {
-  return {{"law", name},
-          {"normal_stiffness_N_m", law.normal_stiffness},
-          {"tangential_stiffness_N_m", law.tangential_stiffness},
-          {"friction", law.friction}};
-}
-inline Json contact_json(const riprap::EnergyConservingSpring& law) {
-  return springs_json("energy-conserving", law);
-}
-inline Json contact_json(const riprap::LinearSpringCoulomb& law) {
-  return springs_json("linear", law);
-}
-inline Json contact_json(const riprap::IncrementalSpring& law) {
-  return springs_json("incremental", law);
-}
-inline Json contact_json(const riprap::OverlapAreaSpring& law) {
-  return {{"law", "area"},
-          {"area_stiffness_N_m3", law.area_stiffness},
-          {"largest_chord_m", law.largest_chord},
-          {"tangential_stiffness_N_m", law.tangential_stiffness},
-          {"friction", law.friction}};
-}
-inline Json contact_json(const riprap::SpringDashpot& law) {
-  return {{"law", "dashpot"},
-          {"normal_stiffness_N_m", law.normal_stiffness},
-          {"tangential_stiffness_N_m", law.tangential_stiffness},
-          {"damping_ratio", law.damping_ratio},
-          {"may_pull", law.may_pull},
-          {"friction", law.friction}};
-}
-inline Json contact_json(const AnyContact& law) {
-  return std::visit([](const auto& l) { return contact_json(l); }, law.chosen);
-}
-
-// Every parameter, read from what was run.
-template <class Sim>
-Json parameters_json(const Options& o, const Sim& sim) {
-  const auto& motion = sim.model().motion_model;
-  Json contact = contact_json(sim.contacts().law());
-  contact["relative_skin"] = sim.model().contact_model.broad_phase.relative_skin;
-  Json j = {{"preset", o.preset},
-            {"assembly", assembly_json(o.assembly)},
-            {"test", test_json(o.test)},
-            {"rock",
-             {{"density_kg_m3", sim.rock().density},
-              {"young_Pa", sim.rock().young},
-              {"poisson", sim.rock().poisson}}},
-            {"contact", contact},
-            {"motion",
-             {{"boundary", o.boundary},
-              {"integrator", o.integrator},
-              {"local_damping", motion.damping.coefficient},
-              {"time_step_fraction", motion.time_step.fraction},
-              {"time_step_s", sim.time_step()}}}};
-  j["breakage"] = "off";
-  if constexpr (Sim::breakable) {
-    if (o.breakage == "off") return j;
-    const auto& stress = sim.model().stress_model;
-    const auto& breakage = sim.model().breakage_model;
-    j["stress"] = {{"plane", o.plane},
-                   {"support", o.support},
-                   {"mesh_triangles", stress.mesher.triangles},
-                   {"nodes_of_triangle", stress.element.nodes}};
-    j["breakage"] = {{"criterion", criterion_json(breakage.criterion)},
-                     {"ratf", breakage.trigger.critical},
-                     {"rat_measure", rat_measure(breakage.trigger)},
-                     {"line_fit", o.line_fit},
-                     {"minimum_piece_area", breakage.splitter.minimum_area},
-                     {"maximum_piece_aspect", breakage.splitter.maximum_aspect},
-                     {"maximum_pieces", breakage.splitter.maximum_pieces},
-                     {"check_every", breakage.check_every}};
-  }
-  return j;
 }
 
 // The largest of a value over the curve from a strain on; not a number if any is not.
@@ -205,13 +78,30 @@ Json numbers_json(const Options& o, const Sim& sim, const riprap::BiaxialResult&
   return j;
 }
 
-inline Json grading_json(const riprap::Particles& particles) {
+// Indices of breakage, and Hardin's if all rock were in pieces of the least area: pieces that are
+// simulated cannot bring it beyond.
+template <class Sim>
+Json grading_json(const Sim& sim) {
   using namespace riprap;
+  const Particles& particles = sim.particles();
   const Grading before = grading_before_breakage(particles);
   const Grading after = grading(particles);
+  const double rock = rock_area(particles);
+  double dust = 0;
+  for (const DustGrain& grain : particles.dust()) dust += grain.area;
   Json j = {{"d10_m", {before.size_at(0.10), after.size_at(0.10)}},
-            {"d50_m", {before.size_at(0.50), after.size_at(0.50)}}};
+            {"d50_m", {before.size_at(0.50), after.size_at(0.50)}},
+            {"dust_grains", particles.dust().size()},
+            {"dust_share", dust / rock}};
   j.update(indices_json(before, after));
+  if constexpr (Sim::breakable) {
+    auto grains =
+        static_cast<double>(particles.dust().size()) - static_cast<double>(sim.breaks().size());
+    for (const Body& body : particles.bodies()) grains += body.is_free();
+    const double smallest = sim.model().breakage_model.splitter.minimum_area * rock / grains;
+    const Grading least = Grading::of_fractions({{equivalent_diameter(smallest), 1}});
+    j["hardin_b_r_of_smallest_pieces"] = index_json([&] { return hardin_breakage(before, least); });
+  }
   return j;
 }
 
@@ -262,7 +152,7 @@ Json summary(const Options& o, const Sim& sim, const riprap::BiaxialResult& resu
              {{"particles", sim.particles().size()},
               {"breakages", sim.breaks().size()},
               {"breakages_before_shear", curve.breakages_before_shear()}}},
-            {"grading_before_and_after", grading_json(sim.particles())},
+            {"grading_before_and_after", grading_json(sim)},
             {"energy_error", nullptr},
             {"stages", stages_json(result)},
             {"threads", sim.model().execution_policy.threads},

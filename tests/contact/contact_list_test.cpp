@@ -606,6 +606,27 @@ TEST_CASE("of a contact that both pieces touch, the piece at its point keeps the
   });
 }
 
+TEST_CASE("a body that has lost a part keeps the contacts of the rest") {
+  for (const bool right_is_lost : {true, false}) {
+    CAPTURE(right_is_lost);
+    Broken b = break_beam(true);
+    const Ancestry ancestry = b.particles.ancestry(b.parent);
+    Particles left(1, 2500);
+    left.add(rectangle({right_is_lost ? -0.75 : 0.75, 0}, 1.5, 1), Motion::free, &ancestry);
+    for (const BodyIndex block : {1U, 2U}) {
+      const Ring ring = b.particles.ring(block);
+      left.add(ConvexPolygon{std::vector<Vec2>(ring.begin(), ring.end())}, Motion::free);
+    }
+    b.list.cut_off(b.parent, [&](const Vec2& point) { return (point.x() > 0) == right_is_lost; });
+    b.list.update(left, 0);
+    const auto& pair = only_touching(b.list);
+    CHECK(pair.a == 0);
+    CHECK(pair.b == (right_is_lost ? 1 : 2));
+    CHECK((left.body(0).contact.force - Vec2{200, -1000}).norm() <= 1e-8);
+    CHECK(left.body(right_is_lost ? 2 : 1).contact.force.norm() == 0);
+  }
+}
+
 TEST_CASE("contacts of other bodies are untouched when one breaks") {
   Particles particles = two_blocks();
   particles.add(rectangle({20, 0}, 1, 1), Motion::free);

@@ -109,6 +109,20 @@ TEST_CASE("pieces share a contact by the areas of their overlaps") {
   CHECK(1e-4 - second.offset == near_relative(0.25e-4, 1e-12));
 }
 
+TEST_CASE("of a part that is cut off, histories by the point are lost") {
+  using Law = LinearSpringCoulomb;
+  DividedContacts<ContactOf<Law>> divided;
+  const std::vector pairs{touching<Law>(0, 1, -0.5, 7), touching<Law>(1, 2, 0.5, 8)};
+  for (const auto& contact : pairs) divided.add(contact);
+  divided.cut_off(1, UnboundedDomain{}, right_half);
+  Pieces<Law> pieces;
+  pieces.add(0, 1, 1e-6);
+  pieces.add(1, 2, 1e-6);
+  divided.hand_over(Law{}, pieces.find());
+  CHECK(pieces.pairs.at({0, 1}).history.tangential_force == 7);
+  CHECK(pieces.pairs.at({1, 2}).history.tangential_force == 0);
+}
+
 TEST_CASE("of a contact whose bodies both break, four pieces share") {
   using Law = EnergyConservingSpring;
   const std::vector pairs{touching<Law>(0, 1, 0.5, 100)};

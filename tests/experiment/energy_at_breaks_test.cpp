@@ -2,12 +2,16 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include <riprap/contact/contact_law/energy_conserving_spring.hpp>
 #include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/contact/narrow_phase/overlap_moments.hpp>
+#include <riprap/dynamics/boundary/concepts.hpp>
 #include <riprap/dynamics/boundary/periodic_cell.hpp>
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/experiment/curve.hpp>
@@ -16,8 +20,10 @@
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/particle/random_box_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
+#include <support/near.hpp>
 
 using namespace riprap;
+using test::near_relative;
 
 namespace {
 
@@ -27,6 +33,7 @@ auto energy_conserving() {
 
 /// Compares stored energy, linear and angular momentum before and after each check with breaks.
 struct Breaks {
+  bool keeps_momentum = true;
   double stored = 0;
   Vec2 momentum{0, 0};
   double angular = 0;
@@ -59,6 +66,7 @@ struct Breaks {
   void after_splits(const Sim& sim) {
     ++count;
     largest_rise = std::max(largest_rise, stored_energy(sim.contacts()) / stored - 1);
+    if (!keeps_momentum) return;
     const double mass = sim.particles().density() * sim.particles().thickness() * 0.1;
     CHECK((linear(sim) - momentum).norm() <= 1e-12 * mass);
     CHECK(std::abs(turning(sim) - angular) <= 1e-12 * mass);
@@ -87,6 +95,29 @@ TEST_CASE("stored energy never rises at a break, and the contacts make none") {
   shear(energy_conserving(), random_assembly({.count = 150, .seed = 1}), 14e6);
   shear(energy_conserving().boundary(PeriodicCell{}),
         random_periodic_assembly({.count = 100, .seed = 2}), 16e6);
+}
+
+TEST_CASE("dust takes its rock and its energy with it, and leaves the rest in order") {
+  Simulation sim{energy_conserving().splitter(StraightCut{.dust = true}),
+                 random_assembly({.count = 150, .seed = 1}), Rock{}};
+  const double rock = rock_area(sim.particles());
+  Curve curve;
+  Breaks breaks{.keeps_momentum = false};
+  BiaxialTest{.confining_pressure = 14e6, .axial_strain = 0.1}.run(sim, curve, breaks);
+  const std::vector<DustGrain>& dust = sim.particles().dust();
+  REQUIRE(dust.size() > 10);
+  CHECK(sim.particles().size() + dust.size() == 150 + sim.breaks().size());
+  CHECK(rock_area(sim.particles()) == near_relative(rock, 1e-12));
+  std::vector<double> areas;
+  for (const BreakEvent& event : sim.breaks())
+    for (std::size_t k = 0; k < 2; ++k)
+      if (event.pieces[k] == no_particle) areas.push_back(event.areas[k]);
+  REQUIRE(areas.size() == dust.size());
+  for (std::size_t k = 0; k < areas.size(); ++k) CHECK(dust[k].area == areas[k]);
+  CHECK(breaks.largest_rise <= 1e-12);
+  const EnergyTerms& energy = curve.points().back().energy;
+  CHECK(std::abs(energy.law_residual) < 1e-3 * energy.boundary_work);
+  CHECK(energy.made() < 0.01 * energy.boundary_work);
 }
 
 TEST_CASE("the chord model makes energy of the order of a tenth of the work in the same test") {

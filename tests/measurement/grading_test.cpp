@@ -119,6 +119,24 @@ TEST_CASE("pieces of pieces add up to the intact particle they came from") {
   CHECK(after.passing(0.6 * largest) == near_relative(0.6, round_off));
 }
 
+TEST_CASE("dust counts in the grading and in the particle it came from") {
+  Particles particles(0.016, 2500);
+  particles.add(test::rectangle(4e-3, 1e-3), Motion::free);
+  particles.add(test::rectangle(1e-3, 1e-3), Motion::free);
+  const Grading intact = grading(particles);
+  const Ancestry first = particles.ancestry(0);
+  particles.replace(0, test::rectangle(3.5e-3, 1e-3), Motion::free, first);
+  particles.add_dust(first, 0.5e-6);
+  const Grading before = grading_before_breakage(particles);
+  CHECK(before.largest() == near_relative(intact.largest(), round_off));
+  CHECK(before.passing(0.9 * intact.largest()) == near_relative(0.2, round_off));
+  // 0.5 of 5 mm^2 is dust, 1 the small particle.
+  const Grading after = grading(particles);
+  CHECK(after.size_at(0.05) == near_relative(std::sqrt(2e-6 / std::numbers::pi), round_off));
+  CHECK(after.passing(0.9 * equivalent_diameter(1e-6)) == near_relative(0.1, round_off));
+  CHECK(after.passing(0.9 * after.largest()) == near_relative(0.3, round_off));
+}
+
 TEST_CASE("gradings that cannot be are refused") {
   using test::message_of;
   const auto fractions = [](std::vector<SizeFraction> f) {

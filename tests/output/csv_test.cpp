@@ -244,7 +244,9 @@ TEST_CASE("breakages.csv lists particle, time, cause, place and pieces of every 
   auto view = test::view_of(sample);
   Curve curve;
   view.stage = Stage::hydrostatic;
-  curve.record_break(view, break_of({.id = 7, .root = 7}));
+  BreakEvent with_dust = break_of({.id = 7, .root = 7});
+  with_dust.pieces[1] = no_particle;
+  curve.record_break(view, with_dust);
   view.stage = Stage::shear;
   view.stretch.y() = 0.875;
   curve.record_break(view, break_of({.id = 500, .parent = 7, .root = 7, .generation = 1}));
@@ -259,6 +261,8 @@ TEST_CASE("breakages.csv lists particle, time, cause, place and pieces of every 
   // An intact particle has no parent: an empty cell, not a number that could be one.
   CHECK(table.rows[0].at("parent").empty());
   CHECK(table.rows[0].at("generation") == "0");
+  CHECK(table.rows[0].at("piece_1") == "500");
+  CHECK(table.rows[0].at("piece_2").empty());  // dust
   const auto& second = table.rows[1];
   CHECK(second.at("stage") == "shear");
   CHECK(second.at("parent") == "7");

@@ -11,12 +11,15 @@ namespace study {
 template <class Sim>
 riprap::Vec2 break_place(const riprap::BiaxialView<Sim>& view, const riprap::BreakEvent& event) {
   const auto& particles = view.sim.particles();
-  riprap::Vec2 centroid{0, 0};
+  riprap::Vec2 sum{0, 0};
+  double area = 0;
   for (riprap::BodyIndex i = 0; i < particles.size(); ++i)
     for (std::size_t k = 0; k < 2; ++k)
-      if (particles.ancestry(i).id == event.pieces[k])
-        centroid += event.areas[k] / (event.areas[0] + event.areas[1]) * particles.body(i).position;
-  return centroid.cwiseQuotient(view.stretch);
+      if (particles.ancestry(i).id == event.pieces[k]) {
+        sum += event.areas[k] * particles.body(i).position;
+        area += event.areas[k];
+      }
+  return (sum / area).cwiseQuotient(view.stretch);
 }
 
 }  // namespace study

@@ -3,6 +3,7 @@
 /// @file
 /// From the stress in a particle to the crack through it and the pieces it leaves.
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -28,6 +29,7 @@ struct Crack {
   Line line;                               ///< in laboratory coordinates
   double length = 0;                       ///< [m]
   CutRings pieces;
+  std::array<bool, 2> is_dust{false, false};  ///< left, right: counted, no longer simulated
 };
 
 /// Failed sampling points of the elements with their weights 1/SF, areas and stresses, in
@@ -61,7 +63,8 @@ inline void require_whole(const CutRings& pieces, Ring ring) {
 }  // namespace internal
 
 /// The line through the failed elements and the pieces on its two sides; nothing if there is no
-/// line, the splitter refuses, or a piece breaks a rule of ConvexPolygon (of at most 64 vertices).
+/// line, the splitter refuses, a piece breaks a rule of ConvexPolygon (of at most 64 vertices), or
+/// both pieces are dust.
 /// Throws InvalidInput if the areas of the pieces do not add up to that of the ring, and if there
 /// are more or fewer sampling points than stresses.
 /// @param model  offers `criterion`, `line_fit` and `splitter`
@@ -89,6 +92,10 @@ find_crack(const BreakagePart& model, const FailureCount& failures, const Sampli
   if (!pieces || !try_convex_polygon(pieces->left) || !try_convex_polygon(pieces->right))
     return std::nullopt;
   internal::require_whole(*pieces, ring);
+  if constexpr (requires { model.splitter.is_dust(pieces->left, mean_area); })
+    crack.is_dust = {model.splitter.is_dust(pieces->left, mean_area),
+                     model.splitter.is_dust(pieces->right, mean_area)};
+  if (crack.is_dust[0] && crack.is_dust[1]) return std::nullopt;
   crack.length = 0.5 * (perimeter(pieces->left) + perimeter(pieces->right) - perimeter(ring));
   crack.pieces = std::move(*pieces);
   return crack;

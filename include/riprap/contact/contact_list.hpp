@@ -148,17 +148,30 @@ class ContactList {
   /// @param of_second whether a point [m] lies on the side of the second piece
   template <class OfSecond>
   void divide(BodyIndex parent, BodyIndex second, OfSecond&& of_second) {
+    record_contacts(parent);
+    divided_.divide(parent, second, domain_, of_second);
+  }
+  /// After a part of the particle at `parent` has been cut off and removed: the next update keeps
+  /// the histories of contacts that are left.
+  /// @param of_lost whether a point [m] lies on the side of that part
+  template <class OfLost>
+  void cut_off(BodyIndex parent, OfLost&& of_lost) {
+    record_contacts(parent);
+    divided_.cut_off(parent, domain_, of_lost);
+  }
+
+ private:
+  // Of a particle that has broken.
+  void record_contacts(BodyIndex parent) {
     for (std::size_t k = 0; k < list_.size(); ++k) {
       const ContactType& pair = pairs()[k];
       if (pair.a != parent && pair.b != parent) continue;
       detection_.forget(k);
       if (pair.touching) divided_.add(pair);
     }
-    divided_.divide(parent, second, domain_, of_second);
     list_state_.invalidate();
   }
 
- private:
   using ListState = typename List::template State<Domain>;
 
   void rebuild(const Particles& particles) {

@@ -30,6 +30,15 @@ class DividedContacts {
     wholes_.push_back({contact.history});
   }
 
+  /// The particle at `parent`, all of whose contacts have been added, has lost a part.
+  /// @param of_lost whether a point [m] lies on the side of that part
+  template <class Domain, class OfLost>
+  void cut_off(BodyIndex parent, const Domain& domain, OfLost&& of_lost) {
+    for (Part& part : parts_)
+      if (part.contact.a == parent || part.contact.b == parent)
+        part.has_point &= !of_lost(point_on(part.contact, parent, domain));
+  }
+
   /// The particle at `parent`, all of whose contacts have been added, has broken into a piece at
   /// the same index and one at `second`, above all others.
   /// @param of_second whether a point [m] lies on the side of the second piece
@@ -41,11 +50,10 @@ class DividedContacts {
       Part part = parts_[i];
       ContactType& contact = part.contact;
       ContactGeometry& geometry = contact.geometry;
-      const Vec2 at_b = geometry.point - image_offset(contact, domain);
-      const bool by_point = of_second(contact.a == parent ? geometry.point : at_b);
+      const bool by_point = of_second(point_on(contact, parent, domain));
       if (contact.a == parent) {
         // The new piece has the highest index: it becomes b. Tangential forces keep their sign.
-        geometry.point = at_b;
+        geometry.point = point_on(contact, contact.b, domain);
         geometry.normal = -geometry.normal;
         contact.a = contact.b;
         if constexpr (Domain::periodic) contact.image = -contact.image;
@@ -90,6 +98,14 @@ class DividedContacts {
     bool has_point = true;
     ContactType* pair = nullptr;
   };
+
+  // The contact's point where `body` is, and not its image.
+  template <class Domain>
+  [[nodiscard]] static Vec2 point_on(const ContactType& contact, BodyIndex body,
+                                     const Domain& domain) {
+    const Vec2 point = contact.geometry.point;
+    return contact.a == body ? point : Vec2(point - image_offset(contact, domain));
+  }
 
   [[nodiscard]] bool is_recorded(const ContactType& pair) const {
     return std::ranges::any_of(parts_, [&](const Part& part) {

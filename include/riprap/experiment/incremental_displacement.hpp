@@ -37,7 +37,8 @@ class IncrementalDisplacement {
   template <class Sim>
   void record_break(const BiaxialView<Sim>& /*view*/, const BreakEvent& event) {
     const std::size_t start = start_of(event.particle.id);
-    for (const ParticleId piece : event.pieces) start_of(piece) = start;
+    for (const ParticleId piece : event.pieces)
+      if (piece != no_particle) start_of(piece) = start;
   }
 
   /// Of all particles there were at `begin`, in the order of the bodies then.

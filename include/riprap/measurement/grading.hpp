@@ -60,13 +60,13 @@ class Grading {
   std::vector<GradingPoint> points_;
 };
 
-/// Of the free particles, by the diameter of the circle of equal area; boundary particles do not
-/// break and are left out. A sieve sees the least width, which stays as it was when a particle
-/// breaks across its length; this size shows every break. All rock has one density and thickness,
-/// so area stands for mass.
+/// Of the free particles and of dust, by the diameter of the circle of equal area; boundary
+/// particles do not break and are left out. A sieve sees the least width, which stays as it was
+/// when a particle breaks across its length; this size shows every break. All rock has one density
+/// and thickness, so area stands for mass.
 [[nodiscard]] Grading grading(const Particles& particles);
 
-/// Of the intact particles that the free ones were once: the areas of pieces add up to their
+/// Of the intact particles that these were once: the areas of pieces and dust add up to their
 /// root's.
 [[nodiscard]] Grading grading_before_breakage(const Particles& particles);
 

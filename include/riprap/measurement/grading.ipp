@@ -86,10 +86,10 @@ RIPRAP_INLINE double Grading::area_above(double limit) const {
 
 RIPRAP_INLINE Grading grading(const Particles& particles) {
   std::vector<SizeFraction> fractions;
-  for (BodyIndex i = 0; i < particles.size(); ++i) {
-    const double area = particles.shape(i).area;
-    if (particles.body(i).is_free()) fractions.push_back({equivalent_diameter(area), area});
-  }
+  const auto add = [&](double area) { fractions.push_back({equivalent_diameter(area), area}); };
+  for (BodyIndex i = 0; i < particles.size(); ++i)
+    if (particles.body(i).is_free()) add(particles.shape(i).area);
+  for (const DustGrain& grain : particles.dust()) add(grain.area);
   return Grading::of_fractions(std::move(fractions));
 }
 
@@ -97,6 +97,7 @@ RIPRAP_INLINE Grading grading_before_breakage(const Particles& particles) {
   std::map<ParticleId, double> roots;  // areas
   for (BodyIndex i = 0; i < particles.size(); ++i)
     if (particles.body(i).is_free()) roots[particles.ancestry(i).root] += particles.shape(i).area;
+  for (const DustGrain& grain : particles.dust()) roots[grain.root] += grain.area;
   std::vector<SizeFraction> fractions;
   for (const auto& [id, area] : roots) fractions.push_back({equivalent_diameter(area), area});
   return Grading::of_fractions(std::move(fractions));

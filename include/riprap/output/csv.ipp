@@ -19,6 +19,10 @@ template <std::integral Number>
   return std::to_string(value);
 }
 [[nodiscard]] inline std::string cell(std::string value) { return value; }
+// Empty where there is no particle.
+[[nodiscard]] inline std::string id_cell(ParticleId id) {
+  return id == no_particle ? std::string() : std::to_string(id);
+}
 
 // Lambdas without captures, as pointers: a std::function of each would take compilers long.
 template <class Row>
@@ -94,17 +98,14 @@ RIPRAP_INLINE CsvColumns<CurvePoint> energy_columns() {
 
 RIPRAP_INLINE CsvColumns<BiaxialBreak> breakage_columns() {
   using internal::cell;
+  using internal::id_cell;
   using B = BiaxialBreak;
   static constexpr internal::NamedCell<BiaxialBreak> cells[]{
       {"step", [](const B& b) { return cell(b.event.step); }},
       {"stage", [](const B& b) { return cell(to_text(b.stage)); }},
       {"axial_strain", [](const B& b) { return cell(b.axial_strain); }},
       {"particle", [](const B& b) { return cell(b.event.particle.id); }},
-      {"parent",
-       [](const B& b) {
-         return cell(b.event.particle.generation == 0 ? std::string()
-                                                      : std::to_string(b.event.particle.parent));
-       }},
+      {"parent", [](const B& b) { return id_cell(b.event.particle.parent); }},
       {"root", [](const B& b) { return cell(b.event.particle.root); }},
       {"generation", [](const B& b) { return cell(b.event.particle.generation); }},
       {"rat", [](const B& b) { return cell(b.event.failures.ratio()); }},
@@ -117,8 +118,8 @@ RIPRAP_INLINE CsvColumns<BiaxialBreak> breakage_columns() {
        [](const B& b) {
          return cell(std::atan2(b.event.line.direction.y(), b.event.line.direction.x()));
        }},
-      {"piece_1", [](const B& b) { return cell(b.event.pieces[0]); }},
-      {"piece_2", [](const B& b) { return cell(b.event.pieces[1]); }},
+      {"piece_1", [](const B& b) { return id_cell(b.event.pieces[0]); }},
+      {"piece_2", [](const B& b) { return id_cell(b.event.pieces[1]); }},
       {"area_1", [](const B& b) { return cell(b.event.areas[0]); }},
       {"area_2", [](const B& b) { return cell(b.event.areas[1]); }},
   };

@@ -12,7 +12,7 @@
 
 namespace riprap {
 
-/// One particle has become two.
+/// One particle has become two, or one and dust.
 struct BreakEvent {
   std::uint64_t step = 0;
   double time = 0;                         ///< [s]
@@ -20,9 +20,9 @@ struct BreakEvent {
   FailureCount failures;                   ///< of the evaluation that broke it
   FailureMode mode = FailureMode::intact;  ///< of the first failed element
   Line line;                               ///< the crack, in laboratory coordinates
-  std::array<ParticleId, 2> pieces{no_particle, no_particle};
-  std::array<double, 2> areas{0, 0};  ///< [m^2]
-  double crack_length = 0;            ///< [m]; times the thickness, the area of the crack
+  std::array<ParticleId, 2> pieces{no_particle, no_particle};  ///< left, right; no_particle: dust
+  std::array<double, 2> areas{0, 0};                           ///< [m^2]
+  double crack_length = 0;  ///< [m]; times the thickness, the area of the crack
 };
 
 }  // namespace riprap

@@ -22,6 +22,7 @@
 #include <riprap/simulation/breakage_stage.hpp>
 #include <riprap/simulation/model.hpp>
 #include <riprap/simulation/observer.hpp>
+#include <riprap/simulation/replace_by_pieces.hpp>
 #include <riprap/simulation/setup.hpp>
 #include <riprap/simulation/stress_query.hpp>
 
@@ -249,30 +250,22 @@ class Simulation {
     on_phase_end(StepPhase::splitting);
   }
 
-  // The left piece takes the parent's place, the right one is new.
   void split(BodyIndex i, const Crack& crack) {
-    const Body parent = particles_.body(i);
-    const Ancestry ancestry = particles_.ancestry(i);
-    const ConvexPolygon right{crack.pieces.right};
-    particles_.replace(i, ConvexPolygon{crack.pieces.left}, Motion::free, ancestry);
-    const BodyIndex second = particles_.add(right, Motion::free, &ancestry);
-    for (const BodyIndex piece : {i, second}) {
-      Body& body = particles_.body(piece);
-      model_.breakage_model.inheritance(parent, body);
-      body.mass_scaling = model_.motion_model.time_step.mass_scaling(body.mass, smallest_mass_);
-    }
-    contacts_.divide(i, second,
-                     [&](const Vec2& point) { return crack.line.left_distance(point) < 0; });
+    BreakEvent event{.step = steps_,
+                     .time = time_,
+                     .particle = particles_.ancestry(i),
+                     .failures = crack.failures,
+                     .mode = crack.mode,
+                     .line = crack.line,
+                     .crack_length = crack.length};
+    const BodyIndex second = replace_by_pieces(model_, smallest_mass_, crack, i, particles_, event);
+    const auto on_right = [&](const Vec2& x) { return crack.line.left_distance(x) < 0; };
+    if (second != i)
+      contacts_.divide(i, second, on_right);
+    else
+      contacts_.cut_off(i, [&](const Vec2& x) { return on_right(x) == crack.is_dust[1]; });
     breakage_.forget(i);
-    breaks_.push_back({.step = steps_,
-                       .time = time_,
-                       .particle = ancestry,
-                       .failures = crack.failures,
-                       .mode = crack.mode,
-                       .line = crack.line,
-                       .pieces = {particles_.ancestry(i).id, particles_.ancestry(second).id},
-                       .areas = {particles_.shape(i).area, particles_.shape(second).area},
-                       .crack_length = crack.length});
+    breaks_.push_back(event);
   }
 
   void choose_time_step() {

@@ -77,6 +77,27 @@ TEST_CASE("the default rule needs 8 % of the mean area and an aspect of at most 
   CHECK_FALSE(rule(unit_square, upright(0.5), 10));  // too small
 }
 
+TEST_CASE("with dust a piece below the least area is cut off, whatever its shape") {
+  const StraightCut rule{.minimum_area = 0.08, .maximum_aspect = 3, .dust = true};
+  for (const double x : {0.079, 0.921, 0.01}) {
+    const auto parts = rule(unit_square, upright(x), 1);
+    REQUIRE(parts);
+    CHECK(rule.is_dust(parts->left, 1) == (x < 0.5));
+    CHECK(rule.is_dust(parts->right, 1) == (x > 0.5));
+  }
+  CHECK_FALSE(rule(unit_square, upright(0.081), 1));  // kept, and too slender
+  const auto halves = rule(unit_square, upright(0.5), 1);
+  REQUIRE(halves);
+  CHECK_FALSE(rule.is_dust(halves->left, 1));
+  CHECK_FALSE(rule.is_dust(halves->right, 1));
+  // What is left of the particle has to be acceptable.
+  CHECK_FALSE(rule(unit_square, upright(0.5), 10));
+  CHECK_FALSE(StraightCut{.minimum_area = 0.7, .maximum_aspect = 1.4, .dust = true}(
+      unit_square, upright(0.25), 1));
+  // Without the option nothing is dust.
+  CHECK_FALSE(StraightCut{}.is_dust(unit_square, 1e9));
+}
+
 TEST_CASE("a line that misses the particle cuts nothing") {
   CHECK_FALSE(permissive(unit_square, upright(1.5), 1));
   CHECK_FALSE(permissive(unit_square, upright(0), 1));                             // along an edge

@@ -33,12 +33,22 @@ concept SplitterMaximumPieces =
       { splitter.maximum_pieces } -> std::convertible_to<std::size_t>;
     };
 
+/// Optional: `splitter.is_dust(piece, mean_area)`, whether a piece is counted and no longer
+/// simulated. It takes its mass, momentum and energy with it; of a particle that would leave
+/// nothing else the cut counts as refused.
+template <class S>
+concept SplitterDust = !requires(S& splitter, Ring& piece, double& mean_area) {
+  splitter.is_dust(piece, mean_area);
+} || requires(const S& splitter, const Ring piece, const double mean_area) {
+  { splitter.is_dust(piece, mean_area) } -> std::convertible_to<bool>;
+};
+
 }  // namespace requirements
 
 /// A `Splitter` cuts a particle in two or refuses.
 template <class S>
-concept Splitter =
-    Policy<S> && requirements::SplitterCall<S> && requirements::SplitterMaximumPieces<S>;
+concept Splitter = Policy<S> && requirements::SplitterCall<S> &&
+                   requirements::SplitterMaximumPieces<S> && requirements::SplitterDust<S>;
 
 template <class S>
 consteval bool check_splitter() {
@@ -48,6 +58,8 @@ consteval bool check_splitter() {
                 "operator()(Ring, const Line&, double mean_area) const");
   static_assert(requirements::SplitterMaximumPieces<S>,
                 "riprap: maximum_pieces of a Splitter must be a std::size_t");
+  static_assert(requirements::SplitterDust<S>,
+                "riprap: is_dust of a Splitter must be bool is_dust(Ring, double mean_area) const");
   return Splitter<S>;
 }
 

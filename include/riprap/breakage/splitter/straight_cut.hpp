@@ -19,13 +19,23 @@ struct StraightCut {
   /// Of one intact particle; a break beyond them ends the run with a SimulationError. The default
   /// areas allow 21 for a particle of 1.3 times the mean diameter.
   unsigned maximum_pieces = 100;
+  /// Whether a cut off piece below the least area becomes dust, in place of a refusal: counted in
+  /// the grading, but no longer simulated.
+  bool dust = false;
 
   [[nodiscard]] std::optional<CutRings> operator()(Ring ring, const Line& line,
                                                    double mean_area) const {
     std::optional<CutRings> parts = cut(ring, line, snap);
-    if (parts && acceptable(parts->left, mean_area) && acceptable(parts->right, mean_area))
-      return parts;
-    return std::nullopt;
+    if (!parts) return std::nullopt;
+    const bool left = is_dust(parts->left, mean_area);
+    const bool right = is_dust(parts->right, mean_area);
+    const bool cuts = !(left && right) && (left || acceptable(parts->left, mean_area)) &&
+                      (right || acceptable(parts->right, mean_area));
+    return cuts ? parts : std::nullopt;
+  }
+
+  [[nodiscard]] bool is_dust(Ring piece, double mean_area) const {
+    return dust && area_properties(piece).area < minimum_area * mean_area;
   }
 
   void validate() const {

@@ -57,7 +57,7 @@ RIPRAP_INLINE Vec2 BoundaryPolygon::semi_axes() const {
 }
 
 RIPRAP_INLINE double BoundaryPolygon::solid_area() const {
-  double sum = free_area(particles_);
+  double sum = rock_area(particles_);
   const std::vector<Vec2> ring = vertices();
   const std::size_t n = ring.size();
   for (std::size_t k = 0; k < n; ++k) {

@@ -119,11 +119,12 @@ inline void refuse_motion(const Particles& particles, Motion motion, std::string
       throw InvalidInput(particle_text(particles.ancestry(i).id) + ": " + std::string(rule));
 }
 
-/// Area of the free particles [m^2].
-[[nodiscard]] inline double free_area(const Particles& particles) {
+/// Area of the free particles and of dust, which stays in the pores [m^2].
+[[nodiscard]] inline double rock_area(const Particles& particles) {
   double sum = 0;
   for (BodyIndex i = 0; i < particles.size(); ++i)
     if (particles.body(i).is_free()) sum += particles.shape(i).area;
+  for (const DustGrain& grain : particles.dust()) sum += grain.area;
   return sum;
 }
 

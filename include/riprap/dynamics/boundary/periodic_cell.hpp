@@ -22,7 +22,7 @@ class PeriodicRegion {
   [[nodiscard]] double area() const { return period_.prod(); }               ///< [m^2]
   [[nodiscard]] const Vec2& centre() const { return centre_; }               ///< [m]
   [[nodiscard]] Vec2 semi_axes() const { return 0.5 * period_; }             ///< [m]
-  [[nodiscard]] double solid_area() const { return free_area(particles_); }  ///< [m^2]
+  [[nodiscard]] double solid_area() const { return rock_area(particles_); }  ///< [m^2]
   /// None can leave: what goes out on one side is what comes in on the other.
   [[nodiscard]] std::size_t lost() const { return 0; }
 

@@ -26,7 +26,7 @@ class PlatenRegion {
   [[nodiscard]] double area() const { return (high_ - low_).prod(); }        ///< [m^2]
   [[nodiscard]] Vec2 centre() const { return 0.5 * (low_ + high_); }         ///< [m]
   [[nodiscard]] Vec2 semi_axes() const { return 0.5 * (high_ - low_); }      ///< [m]
-  [[nodiscard]] double solid_area() const { return free_area(particles_); }  ///< [m^2]
+  [[nodiscard]] double solid_area() const { return rock_area(particles_); }  ///< [m^2]
   /// Free particles whose centroid lies outside.
   [[nodiscard]] std::size_t lost() const;
 

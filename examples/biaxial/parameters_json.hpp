@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+// Every parameter of a biaxial test, for the summary.
+
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "options.hpp"
+#include "policies.hpp"
+#include "setup_json.hpp"
+
+// Keeps the order in which things are written.
+using Json = nlohmann::ordered_json;
+
+inline Json criterion_json(const riprap::HoekBrown& c) {
+  return {{"name", "hoek-brown"},
+          {"compressive_strength_Pa", c.compressive_strength},
+          {"m_b", c.m_b},
+          {"s", c.s},
+          {"a_b", c.a_b},
+          {"angle", c.angle == riprap::HoekBrown::Angle::tangent ? "tangent" : "equivalent"}};
+}
+inline Json criterion_json(const riprap::MohrCoulomb& c) {
+  return {{"name", "mohr-coulomb"},
+          {"cohesion_Pa", c.cohesion},
+          {"angle_rad", c.angle},
+          {"tension_Pa", c.tension}};
+}
+inline Json criterion_json(const riprap::Griffith& c) {
+  return {{"name", "griffith"}, {"tension_Pa", c.tension}};
+}
+inline Json criterion_json(const riprap::ModifiedGriffith& c) {
+  return {{"name", "modified-griffith"}, {"tension_Pa", c.tension}, {"friction", c.friction}};
+}
+inline Json criterion_json(const riprap::Murrell& c) {
+  return {{"name", "murrell"}, {"tension_Pa", c.tension}};
+}
+inline Json criterion_json(const riprap::Hobbs& c) {
+  return {{"name", "hobbs"},
+          {"compressive_strength_Pa", c.compressive_strength},
+          {"factor", c.factor},
+          {"exponent", c.exponent},
+          {"tension_Pa", c.tension}};
+}
+inline Json criterion_json(const riprap::Franklin& c) {
+  return {{"name", "franklin"},
+          {"compressive_strength_Pa", c.compressive_strength},
+          {"exponent", c.exponent},
+          {"tension_Pa", c.tension}};
+}
+
+inline Json criterion_json(const AnyCriterion& criterion) {
+  return std::visit([](const auto& c) { return criterion_json(c); }, criterion.chosen);
+}
+
+// RatF is of a measure.
+inline const char* rat_measure(const riprap::FailedElementRatio&) { return "elements"; }
+inline const char* rat_measure(const riprap::FailedAreaRatio&) { return "area"; }
+
+template <class Law>
+Json springs_json(const char* name, const Law& law) {
+  return {{"law", name},
+          {"normal_stiffness_N_m", law.normal_stiffness},
+          {"tangential_stiffness_N_m", law.tangential_stiffness},
+          {"friction", law.friction}};
+}
+inline Json contact_json(const riprap::EnergyConservingSpring& law) {
+  return springs_json("energy-conserving", law);
+}
+inline Json contact_json(const riprap::LinearSpringCoulomb& law) {
+  return springs_json("linear", law);
+}
+inline Json contact_json(const riprap::IncrementalSpring& law) {
+  return springs_json("incremental", law);
+}
+inline Json contact_json(const riprap::OverlapAreaSpring& law) {
+  return {{"law", "area"},
+          {"area_stiffness_N_m3", law.area_stiffness},
+          {"largest_chord_m", law.largest_chord},
+          {"tangential_stiffness_N_m", law.tangential_stiffness},
+          {"friction", law.friction}};
+}
+inline Json contact_json(const riprap::SpringDashpot& law) {
+  return {{"law", "dashpot"},
+          {"normal_stiffness_N_m", law.normal_stiffness},
+          {"tangential_stiffness_N_m", law.tangential_stiffness},
+          {"damping_ratio", law.damping_ratio},
+          {"may_pull", law.may_pull},
+          {"friction", law.friction}};
+}
+inline Json contact_json(const AnyContact& law) {
+  return std::visit([](const auto& l) { return contact_json(l); }, law.chosen);
+}
+
+// Every parameter, read from what was run.
+template <class Sim>
+Json parameters_json(const Options& o, const Sim& sim) {
+  const auto& motion = sim.model().motion_model;
+  Json contact = contact_json(sim.contacts().law());
+  contact["relative_skin"] = sim.model().contact_model.broad_phase.relative_skin;
+  Json j = {{"preset", o.preset},
+            {"assembly", assembly_json(o.assembly)},
+            {"test", test_json(o.test)},
+            {"rock",
+             {{"density_kg_m3", sim.rock().density},
+              {"young_Pa", sim.rock().young},
+              {"poisson", sim.rock().poisson}}},
+            {"contact", contact},
+            {"motion",
+             {{"boundary", o.boundary},
+              {"integrator", o.integrator},
+              {"local_damping", motion.damping.coefficient},
+              {"time_step_fraction", motion.time_step.fraction},
+              {"time_step_s", sim.time_step()}}}};
+  j["breakage"] = "off";
+  if constexpr (Sim::breakable) {
+    if (o.breakage == "off") return j;
+    const auto& stress = sim.model().stress_model;
+    const auto& breakage = sim.model().breakage_model;
+    j["stress"] = {{"plane", o.plane},
+                   {"support", o.support},
+                   {"mesh_triangles", stress.mesher.triangles},
+                   {"nodes_of_triangle", stress.element.nodes}};
+    j["breakage"] = {{"criterion", criterion_json(breakage.criterion)},
+                     {"ratf", breakage.trigger.critical},
+                     {"rat_measure", rat_measure(breakage.trigger)},
+                     {"line_fit", o.line_fit},
+                     {"minimum_piece_area", breakage.splitter.minimum_area},
+                     {"maximum_piece_aspect", breakage.splitter.maximum_aspect},
+                     {"maximum_pieces", breakage.splitter.maximum_pieces},
+                     {"dust", breakage.splitter.dust},
+                     {"check_every", breakage.check_every}};
+  }
+  return j;
+}

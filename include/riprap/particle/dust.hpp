@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// Pieces that are counted and no longer simulated.
+
+#include <riprap/core/ids.hpp>
+
+namespace riprap {
+
+/// A piece too small to be simulated: part of the rock and of the grading, without place or force.
+struct DustGrain {
+  ParticleId root = no_particle;  ///< the intact particle it was once part of
+  double area = 0;                ///< [m^2]
+};
+
+}  // namespace riprap

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// Puts the pieces of a particle that breaks in its place.
+
+#include <cstddef>
+#include <vector>
+
+#include <riprap/breakage/crack.hpp>
+#include <riprap/geometry/convex_polygon.hpp>
+#include <riprap/particle/particles.hpp>
+#include <riprap/simulation/break_event.hpp>
+
+namespace riprap {
+
+/// The left piece takes the place of particle i, the right one is new; where one of them is dust,
+/// the other takes the place. Fills ids and areas of the event in.
+/// @param smallest_mass of the intact particles [kg], by which masses are scaled
+/// @return the index of the new piece; i, if there is none
+template <class ModelType>
+BodyIndex replace_by_pieces(const ModelType& model, double smallest_mass, const Crack& crack,
+                            BodyIndex i, Particles& particles, BreakEvent& event) {
+  const Body parent = particles.body(i);
+  const Ancestry ancestry = particles.ancestry(i);
+  BodyIndex index = i;
+  bool has_place = true;  // not taken yet
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::vector<Vec2>& ring = k == 0 ? crack.pieces.left : crack.pieces.right;
+    if (crack.is_dust[k]) {
+      event.areas[k] = polygon_area(ring);
+      particles.add_dust(ancestry, event.areas[k]);
+      continue;
+    }
+    const ConvexPolygon piece{ring};
+    if (has_place)
+      particles.replace(i, piece, Motion::free, ancestry);
+    else
+      index = particles.add(piece, Motion::free, &ancestry);
+    has_place = false;
+    Body& body = particles.body(index);
+    model.breakage_model.inheritance(parent, body);
+    body.mass_scaling = model.motion_model.time_step.mass_scaling(body.mass, smallest_mass);
+    event.pieces[k] = particles.ancestry(index).id;
+    event.areas[k] = particles.shape(index).area;
+  }
+  return index;
+}
+
+}  // namespace riprap
