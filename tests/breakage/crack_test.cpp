@@ -74,15 +74,24 @@ struct AlongMeanStress {
   }
 };
 
-template <class Fit>
+template <class Fit, class SplitterType = StraightCut>
 struct Breakage {
   HoekBrown criterion{};
   Fit line_fit{};
-  StraightCut splitter{};
+  SplitterType splitter{};
 };
 
-template <class Fit>
-std::optional<Crack> crack_of(const Breakage<Fit>& model, const Body& body, double mean_area) {
+// Calls pieces beyond a coordinate dust.
+struct DustToTheRight : StraightCut {
+  double from = 0;
+  [[nodiscard]] bool is_dust(Ring piece, double) const {
+    return area_properties(piece).centroid.x() > from;
+  }
+};
+
+template <class Fit, class SplitterType>
+std::optional<Crack> crack_of(const Breakage<Fit, SplitterType>& model, const Body& body,
+                              double mean_area) {
   const Mesh mesh = square_mesh();
   const ElementStress stress = torn_in_the_middle(mesh);
   const std::vector<Vec2> ring = square_ring(body);
@@ -111,6 +120,20 @@ TEST_CASE("points of the line fit are the centroids of failed elements with thei
     CHECK(off_angle(principal.major_direction, body.rotation * Vec2{0, 1}) == near(0, 1e-14));
     ++k;
   }
+}
+
+TEST_CASE("a piece may be dust, but not both") {
+  using Model = Breakage<FailurePlaneThroughCentroid, DustToTheRight>;
+  const Body body = body_at(0, {5, 0});  // pieces at 4.5 and 5.5
+  const auto one = crack_of(Model{.splitter = {{}, 5}}, body, 4);
+  REQUIRE(one);
+  const bool left_is_at_the_left = area_properties(one->pieces.left).centroid.x() < 5;
+  CHECK(one->is_dust[0] == !left_is_at_the_left);
+  CHECK(one->is_dust[1] == left_is_at_the_left);
+  const auto none = crack_of(Model{.splitter = {{}, 6}}, body, 4);
+  REQUIRE(none);
+  CHECK_FALSE((none->is_dust[0] || none->is_dust[1]));
+  CHECK_FALSE(crack_of(Model{.splitter = {{}, 4}}, body, 4));
 }
 
 TEST_CASE("a particle torn in its middle splits there, whatever its pose") {

@@ -28,7 +28,20 @@ struct ChangesTheArea : archetype::Splitter {
   CutRings operator()(Ring, const Line&, double&) const { return {}; }
 };
 
+struct MakesDust : archetype::Splitter {
+  bool is_dust(Ring, double) const { return false; }
+};
+struct DustNotConst : archetype::Splitter {
+  bool is_dust(Ring, double) { return false; }
+};
+struct DustWithoutAnswer : archetype::Splitter {
+  void is_dust(Ring, double) const {}
+};
+
 static_assert(Splitter<archetype::Splitter>);
+static_assert(Splitter<MakesDust>);
+static_assert(!Splitter<DustNotConst>);
+static_assert(!Splitter<DustWithoutAnswer>);
 static_assert(!Splitter<NotCallable>);
 static_assert(!Splitter<NotConst>);
 static_assert(!Splitter<OnePiece>);
