@@ -90,9 +90,7 @@ struct QueryLine {
   [[nodiscard, gnu::always_inline]] N operator()(const Point& v) const {
     return x * (v.y - from_y) - y * (v.x - from_x);
   }
-  [[nodiscard, gnu::always_inline]] N length_bound() const {
-    return larger(x, N(-x)) + larger(y, N(-y));
-  }
+  [[nodiscard, gnu::always_inline]] N length_bound() const { return magnitude(x) + magnitude(y); }
 };
 
 // Conditions of an overlap at the corners of as many queries as N has lanes, and the crossings.
