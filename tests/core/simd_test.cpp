@@ -34,11 +34,13 @@ void compare_with_scalar() {
     const Several most = larger(va, vb);
     const Several root = square_root(Several(va * va));
     const Several quotient = vb / va;
+    const Several size = magnitude(va);
     for (std::size_t l = 0; l < lanes; ++l) {
       CHECK(bits(lane(least, l)) == bits(smaller(a[l], b[l])));
       CHECK(bits(lane(most, l)) == bits(larger(a[l], b[l])));
       CHECK(bits(lane(root, l)) == bits(square_root(a[l] * a[l])));
       CHECK(bits(lane(quotient, l)) == bits(b[l] / a[l]));
+      CHECK(bits(lane(size, l)) == bits(std::abs(a[l])));
     }
   }
 }

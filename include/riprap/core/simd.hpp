@@ -125,6 +125,15 @@ template <class V>
 #endif
 }
 
+/// Absolute value of doubles, lane by lane.
+template <class V>
+[[nodiscard, gnu::always_inline]] inline V magnitude(const V& x) {
+  if constexpr (std::same_as<V, double>)
+    return std::abs(x);
+  else
+    return std::bit_cast<V>(std::bit_cast<Simd<std::int64_t, lanes_of<V>>>(x) & INT64_MAX);
+}
+
 /// Absolute value of four numbers in single precision.
 [[nodiscard]] inline Simd<float, 4> magnitude(const Simd<float, 4>& x) {
   return std::bit_cast<Simd<float, 4>>(std::bit_cast<Simd<std::int32_t, 4>>(x) & 0x7FFFFFFF);

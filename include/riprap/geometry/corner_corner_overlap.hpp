@@ -90,9 +90,7 @@ struct QueryLine {
   [[nodiscard, gnu::always_inline]] N operator()(const Point& v) const {
     return x * (v.y - from_y) - y * (v.x - from_x);
   }
-  [[nodiscard, gnu::always_inline]] N length_bound() const {
-    return larger(x, N(-x)) + larger(y, N(-y));
-  }
+  [[nodiscard, gnu::always_inline]] N length_bound() const { return magnitude(x) + magnitude(y); }
 };
 
 // Conditions of an overlap at the corners of as many queries as N has lanes, and the crossings.
@@ -102,9 +100,10 @@ struct CornerLens {
 
   QueryCorner<N> p, q;  // of a and of b
   Point leaves, enters;
-  N crossing;  // above zero: the edge out of p crosses the edge into q, and vice versa
-  N inside_a;  // above zero: q clearly inside the triangle of p and its neighbours
-  N inside_b;  // likewise
+  N at_leaves, at_enters;  // twice the areas of the triangles that the line p q cuts off there
+  N crossing;              // above zero: the edge out of p crosses the edge into q, and vice versa
+  N inside_a;              // above zero: q clearly inside the triangle of p and its neighbours
+  N inside_b;              // likewise
 
   [[gnu::always_inline]] explicit CornerLens(const CornerCornerQuery* queries)
       : p(queries, &CornerCornerQuery::a, &CornerCornerQuery::i),
@@ -116,6 +115,8 @@ struct CornerLens {
     const QueryLine<N> into_p(p.before, p.at);
     const QueryLine<N> out_of_q(q.at, q.next);
     const QueryLine<N> into_q(q.before, q.at);
+    const N p_left = out_of_q(p.at);
+    const N q_left = out_of_p(q.at);
     const N p_deep = into_q(p.at);
     const N p_out = into_q(p.next);
     const N q_deep = into_p(q.at);
@@ -124,11 +125,11 @@ struct CornerLens {
         [](const N& inside, const N& outside, const N& by) __attribute__((always_inline)) {
       return smaller(N(inside - by), N(-outside - by));
     };
-    crossing = smaller(
-        smaller(beyond(p_deep, p_out, margin * into_q.length_bound()),
-                beyond(q_deep, q_out, margin * into_p.length_bound())),
-        smaller(beyond(out_of_p(q.at), out_of_p(q.before), margin * out_of_p.length_bound()),
-                beyond(out_of_q(p.at), out_of_q(p.before), margin * out_of_q.length_bound())));
+    crossing =
+        smaller(smaller(beyond(p_deep, p_out, margin * into_q.length_bound()),
+                        beyond(q_deep, q_out, margin * into_p.length_bound())),
+                smaller(beyond(q_left, out_of_p(q.before), margin * out_of_p.length_bound()),
+                        beyond(p_left, out_of_q(p.before), margin * out_of_q.length_bound())));
     const N wide = 1.5 * margin;
     const QueryLine<N> across_a(p.next, p.before);
     const QueryLine<N> across_b(q.next, q.before);
@@ -136,6 +137,8 @@ struct CornerLens {
     inside_b = across_b(p.at) - wide * across_b.length_bound();
     const N along_p = p_deep / (p_deep - p_out);
     const N along_q = q_deep / (q_deep - q_out);
+    at_leaves = along_p * q_left;
+    at_enters = along_q * p_left;
     leaves = {p.at.x + along_p * (p.next.x - p.at.x), p.at.y + along_p * (p.next.y - p.at.y)};
     enters = {q.at.x + along_q * (q.next.x - q.at.x), q.at.y + along_q * (q.next.y - q.at.y)};
   }

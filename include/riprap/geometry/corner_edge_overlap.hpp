@@ -65,7 +65,8 @@ struct EdgeCrossing {
   N deep;                 // how far it lies beyond
   N high;                 // how far its neighbour lies on this side
   N inside_along;         // along the edge, from its start
-  N along;                // the crossing, likewise
+  N further;              // from there to the crossing
+  N along;                // the crossing, from the edge's start
 
   [[gnu::always_inline]] EdgeCrossing(const CornerEdgeQuery* queries, const QueryVertex<N>& start,
                                       const QueryVertex<N>& edge,
@@ -77,7 +78,8 @@ struct EdgeCrossing {
     high = edge.y * outside.x - edge.x * outside.y;
     inside_along = edge.x * inside.x + edge.y * inside.y;
     const N outside_along = edge.x * outside.x + edge.y * outside.y;
-    along = inside_along + deep / (deep + high) * (outside_along - inside_along);
+    further = deep / (deep + high) * (outside_along - inside_along);
+    along = inside_along + further;
   }
 };
 

@@ -12,72 +12,54 @@
 
 namespace riprap::internal {
 
-/// Of as many pairs as N has lanes. In a frame along the chord, from where the boundary enters a:
-/// a's corner, the other crossing, b's corner.
+/// Of as many pairs as N has lanes: the quadrangle of where the boundary enters a, a's corner, the
+/// other crossing and b's corner.
 template <class N>
 struct CornerMoments {
-  N normal_x, normal_y, point_x, point_y, depth, gradient, area, chord, det;
+  N normal_x, normal_y, point_x, point_y, depth, gradient, area, chord;
+  N opposite;  // above zero: the corners lie on opposite sides of the chord
 
   [[gnu::always_inline]] explicit CornerMoments(const CornerLens<N>& lens) {
-    const N dx = lens.leaves.x - lens.enters.x;
-    const N dy = lens.leaves.y - lens.enters.y;
-    chord = square_root(N(dx * dx + dy * dy));
-    const N scale = 1 / chord;
-    const N ux = dx * scale;
-    const N uy = dy * scale;
-    const auto place = [&](const auto& corner) __attribute__((always_inline)) {
-      const N x = corner.x - lens.enters.x;
-      const N y = corner.y - lens.enters.y;
-      return FramePoint<N>{x * ux + y * uy, y * ux - x * uy};
+    const auto from = [](const auto& start, const auto& end) __attribute__((always_inline)) {
+      return PlaneVector<N>{end.x - start.x, end.y - start.y};
     };
-    const FramePoint<N> p = place(lens.p.at);
-    const QuadrangleMoments<N> m(p, {chord, N{}}, place(lens.q.at));
-    area = m.area;
-    det = m.det;
-    depth = m.depth;
+    const PlaneVector<N> d = from(lens.enters, lens.leaves);
+    const PlaneVector<N> e = from(lens.p.at, lens.q.at);
+    const PlaneVector<N> side = from(lens.enters, lens.p.at);
+    const QuadrangleMoments<N> m(d, e, lens.at_enters + lens.at_leaves, lens.at_enters,
+                                 side.cross(d));
+    chord = square_root(m.dd);
+    area = 0.5 * m.twice_area;
+    depth = m.slope * m.twice_area;
 
-    // Force and moment from a's two edges.
-    const FramePoint<N> enter{-m.centroid.u, -m.centroid.v};
-    const FramePoint<N> corner{p.u + enter.u, p.v + enter.v};
-    const FramePoint<N> leave{chord + enter.u, enter.v};
-    const FramePoint<N> on_first{0.5 * (enter.u + corner.u), 0.5 * (enter.v + corner.v)};
-    const FramePoint<N> on_second{0.5 * (corner.u + leave.u), 0.5 * (corner.v + leave.v)};
-    const N at_enter = m.density(enter);
-    const N at_first = 4 * m.density(on_first);
-    const N at_corner = m.density(corner);
-    const N at_second = 4 * m.density(on_second);
-    const N at_leave = m.density(leave);
-    const N first = at_enter + at_first + at_corner;
-    const N second = at_corner + at_second + at_leave;
-    const N edge_u = chord - p.u;  // of the second edge; its v is -p.v
-    const N force_u = (first - second) * p.v;
-    const N force_v = -(first * p.u + second * edge_u);
-    const auto dot =
-        [](const FramePoint<N>& r, const N& u, const N& v) __attribute__((always_inline)) {
-      return r.u * u + r.v * v;
-    };
-    const N moment =
-        -(at_enter * dot(enter, p.u, p.v) + at_first * dot(on_first, p.u, p.v) +
-          at_corner * dot(corner, chord, N{}) + at_second * dot(on_second, edge_u, -p.v) +
-          at_leave * dot(leave, edge_u, -p.v));
+    // Force, turned by 90 degrees, and moment about the centroid, over W / A.
+    const N bb = m.b * m.b;
+    opposite = 1 - bb;
+    const N tilt = opposite * m.skew;
+    const PlaneVector<N> line{d.x - tilt * e.x, d.y - tilt * e.y};
+    const N moment = m.a * m.dd * (1.0 / 3) +
+                     (m.a * m.dd - 2 * m.b * m.de) * (2 * m.dd - opposite * m.ee) * m.per_spread +
+                     (8 * m.b * bb * m.de - m.a * (12 * m.dd + opposite * (3 + 5 * bb) * m.ee)) *
+                         m.per_shape * (1.0 / 6);
 
-    const N length = square_root(N(force_u * force_u + force_v * force_v));
-    const N inverse = 1 / length;
-    const N n_u = force_u * inverse;
-    const N n_v = force_v * inverse;
-    const N arm = moment * inverse;
-    gradient = m.unit * length * (1.0 / 6) / depth;
-    normal_x = n_u * ux - n_v * uy;
-    normal_y = n_u * uy + n_v * ux;
-    const N at_u = m.centroid.u + arm * n_v;
-    const N at_v = m.centroid.v - arm * n_u;
-    point_x = lens.enters.x + at_u * ux - at_v * uy;
-    point_y = lens.enters.y + at_u * uy + at_v * ux;
+    // x / sqrt(y) as x sqrt(y) (1 / y): the root and the division do not wait for each other.
+    const N squared = line.dot(line);
+    const N length = square_root(squared);
+    const N reciprocal = 1 / squared;
+    const N inverse = length * reciprocal;
+    gradient = m.slope * length;
+    normal_x = line.y * inverse;
+    normal_y = -line.x * inverse;
+    const N back = moment * reciprocal;
+    const N on_d = 0.5 - m.a * (1.0 / 6) - back;
+    const N on_e = m.b * (1.0 / 3) + back * tilt;
+    point_x = lens.enters.x + on_d * d.x + on_e * e.x;
+    point_y = lens.enters.y + on_d * d.y + on_e * e.y;
   }
 
   /// The chord of triangles may be far longer than what conditions are measured by.
   [[nodiscard, gnu::always_inline]] bool has_digits(std::size_t l) const {
-    return lane(det, l) > 0 && lane(gradient, l) < 1e300;
+    return lane(opposite, l) > 0;
   }
   [[nodiscard, gnu::always_inline]] ContactGeometry overlap(std::size_t l) const {
     return {.normal = {lane(normal_x, l), lane(normal_y, l)},

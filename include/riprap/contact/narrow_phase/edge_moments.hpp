@@ -13,81 +13,100 @@
 namespace riprap::internal {
 
 /// Depth and line of action. The overlap rests on a single edge of one body, so that the force acts
-/// along that edge's normal. In the frame of the edge, from the low end of the chord: along the
-/// edge, and into the body with the edge as far as the centroid.
+/// along that edge's normal. In the frame of the edge, from its start: along the edge, and into the
+/// body with the edge as far as the centroid. As in EdgeCap lengths are times that of the edge, and
+/// the area times its square.
 template <class N>
 struct EdgeDepth {
-  N along{}, inwards{}, depth{}, gradient{}, area{};
+  N along, inwards, twice_area;
+  N slope;     // depth / (2 A)
+  N gradient;  // over the slope
 };
 
 /// One corner: a triangle.
 template <class N>
-[[nodiscard, gnu::always_inline]] inline EdgeDepth<N> corner_depth(const EdgeCap<N>& cap,
-                                                                   const N& chord) {
-  const N tip = cap.in.deep * cap.scale;
-  const N p = (cap.in.inside_along - cap.out.along) * cap.scale;
-  const N q = chord - p;
-  const N reciprocal = 1 / (chord * chord + 2 * tip * tip + p * p + q * q);
-  EdgeDepth<N> d;
-  d.gradient = chord * square_root(N(2 * reciprocal));
-  d.depth = d.gradient * tip;
-  d.along = p + (q - p) * (tip * tip - p * q) * reciprocal;
-  d.inwards = tip * (1.0 / 3);
-  d.area = 0.5 * chord * tip;
-  return d;
+[[nodiscard, gnu::always_inline]] inline EdgeDepth<N> corner_depth(const EdgeCap<N>& cap) {
+  const N& tip = cap.in.deep;
+  const N p = -cap.out.further;
+  const N q = cap.in.further;
+  // 1 / sqrt(sum) as sqrt(sum) (1 / sum): the root and the division do not wait for each other.
+  const N sum = (p * p + q * q) + (p * q + tip * tip);
+  const N reciprocal = 1 / sum;
+  return {.along = cap.in.inside_along + 0.5 * (q - p) * (tip * tip - p * q) * reciprocal,
+          .inwards = tip * (1.0 / 3),
+          .twice_area = cap.width * tip,
+          .slope = square_root(sum) * reciprocal,
+          .gradient = cap.width};
 }
 
 /// Two corners: the quadrangle of the chord and both.
 template <class N>
-[[nodiscard, gnu::always_inline]] inline EdgeDepth<N> face_depth(const EdgeCap<N>& cap,
-                                                                 const N& chord) {
-  const auto place = [&](const EdgeCrossing<N>& crossing) __attribute__((always_inline)) {
-    return FramePoint<N>{(crossing.inside_along - cap.out.along) * cap.scale,
-                         crossing.deep * cap.scale};
-  };
-  const QuadrangleMoments<N> m({chord, N{}}, place(cap.in), place(cap.out));
-  const auto density = [&](const N& along) __attribute__((always_inline)) {
-    return m.density({along - m.centroid.u, -m.centroid.v});
-  };
-  const N low = density(N{});
-  const N high = density(chord);
-  const N sum = low + 4 * density(0.5 * chord) + high;
-  EdgeDepth<N> d;
-  d.depth = m.depth;
-  d.gradient = m.unit * chord * sum * (1.0 / 6) / m.depth;
-  d.along = 0.5 * chord * (1 + (high - low) / sum);
-  d.inwards = m.centroid.v;
-  d.area = m.area;
-  return d;
+[[nodiscard, gnu::always_inline]] inline EdgeDepth<N> face_depth(const EdgeCap<N>& cap) {
+  const N& chord = cap.width;
+  const PlaneVector<N> d{cap.in.inside_along - cap.out.along, cap.in.deep};
+  const PlaneVector<N> e{cap.out.inside_along - cap.in.along, cap.out.deep};
+  const QuadrangleMoments<N> m(d, e, d.cross(e), chord * e.y, chord * d.y);
+  const N a1 = 1 + m.a;
+  const N b1 = 1 + m.b;
+  const N on_d = 0.5 - m.a * (1.0 / 6);
+  const N on_e = m.b * (1.0 / 3);
+  // Mean density of the force on the chord, and a twelfth of its rise along it, over W / A.
+  const N mean = 1 + a1 * b1 * m.skew;
+  const N rise = (m.a - m.b) * a1 * b1 * m.per_shape -
+                 6 * chord * (chord - 2 * (on_d * d.x + on_e * e.x)) * m.per_spread;
+  return {.along = cap.out.along + chord * (0.5 + rise / mean),
+          .inwards = on_d * d.y + on_e * e.y,
+          .twice_area = m.twice_area,
+          .slope = m.slope,
+          .gradient = chord * mean};
 }
 
-/// Of as many pairs as N has lanes.
+/// Lane by lane `face` where two corners lie beyond the edge, else `corner`.
+template <class N>
+[[nodiscard, gnu::always_inline]] inline EdgeDepth<N>
+where_face(const EdgeCap<N>& cap, const EdgeDepth<N>& face, const EdgeDepth<N>& corner) {
+  const auto one = (cap.in.inside_along == cap.out.inside_along) & (cap.in.deep == cap.out.deep);
+  return {one ? corner.along : face.along, one ? corner.inwards : face.inwards,
+          one ? corner.twice_area : face.twice_area, one ? corner.slope : face.slope,
+          one ? corner.gradient : face.gradient};
+}
+
+/// Of as many pairs as N has lanes; the normal is out of the edge, or into it where the depth falls
+/// as the bodies come closer.
 template <class N>
 struct EdgeMoments {
-  const EdgeCap<N>& cap;
-  N chord = cap.width * cap.scale;
-  EdgeDepth<N> corner = corner_depth(cap, chord);
-  EdgeDepth<N> face{};
+  N normal_x, normal_y, point_x, point_y, depth, gradient, area, chord;
 
-  [[gnu::always_inline]] explicit EdgeMoments(const EdgeCap<N>& edge_cap) : cap(edge_cap) {
-    if (cap.has_faces) face = face_depth(cap, chord);
+  [[gnu::always_inline]] explicit EdgeMoments(const EdgeCap<N>& cap) {
+    EdgeDepth<N> r = corner_depth(cap);
+    normal_x = cap.edge.y * cap.scale;
+    normal_y = -cap.edge.x * cap.scale;
+    if (cap.has_faces) {
+      r = where_face(cap, face_depth(cap), r);
+      // Of a body that is wider inside than at the edge the depth may fall as it comes closer.
+      const auto drawn = r.gradient < 0;
+      normal_x = drawn ? -normal_x : normal_x;
+      normal_y = drawn ? -normal_y : normal_y;
+      r.gradient = drawn ? -r.gradient : r.gradient;
+    }
+    const N per_squared = cap.scale * cap.scale;
+    const N along = r.along * per_squared;
+    const N inwards = r.inwards * per_squared;
+    point_x = cap.start.x + along * cap.edge.x - inwards * cap.edge.y;
+    point_y = cap.start.y + along * cap.edge.y + inwards * cap.edge.x;
+    depth = r.slope * (r.twice_area * cap.scale);
+    gradient = r.slope * r.gradient;
+    area = 0.5 * r.twice_area * per_squared;
+    chord = cap.width * cap.scale;
   }
 
-  /// The contact, with the normal out of the edge.
-  [[nodiscard, gnu::always_inline]] ContactGeometry overlap(std::size_t l, bool one_vertex) const {
-    const EdgeDepth<N>& d = one_vertex ? corner : face;
-    const double scale = lane(cap.scale, l);
-    const double x = lane(cap.edge.x, l) * scale;
-    const double y = lane(cap.edge.y, l) * scale;
-    const double along = lane(cap.out.along, l) * scale + lane(d.along, l);
-    const double inwards = lane(d.inwards, l);
-    return {.normal = {y, -x},
-            .point = {lane(cap.start.x, l) + along * x - inwards * y,
-                      lane(cap.start.y, l) + along * y + inwards * x},
-            .depth = lane(d.depth, l),
-            .area = lane(d.area, l),
+  [[nodiscard, gnu::always_inline]] ContactGeometry overlap(std::size_t l, bool) const {
+    return {.normal = {lane(normal_x, l), lane(normal_y, l)},
+            .point = {lane(point_x, l), lane(point_y, l)},
+            .depth = lane(depth, l),
+            .area = lane(area, l),
             .chord = lane(chord, l),
-            .depth_gradient = lane(d.gradient, l)};
+            .depth_gradient = lane(gradient, l)};
   }
 };
 

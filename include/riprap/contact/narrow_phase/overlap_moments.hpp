@@ -33,11 +33,8 @@ struct OverlapMoments : ClassifiedOverlap<OverlapMoments> {
 
   [[nodiscard, gnu::always_inline]] static ContactGeometry of_edge(const ContactGeometry& contact,
                                                                    double sign) {
-    // Of a body that is wider inside than at the edge the depth may fall as it comes closer.
-    const double side = std::copysign(sign, sign * contact.depth_gradient);
     ContactGeometry pushing = contact;
-    pushing.normal = {side * contact.normal.x(), side * contact.normal.y()};
-    pushing.depth_gradient = std::abs(contact.depth_gradient);
+    pushing.normal = {sign * contact.normal.x(), sign * contact.normal.y()};
     return pushing;
   }
 

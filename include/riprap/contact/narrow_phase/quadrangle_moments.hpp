@@ -1,61 +1,57 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Moments of a quadrangle, and the density of the force that they give: see OverlapMoments.
+/// Moments of a quadrangle from its diagonals: docs/theory/contact.md, "Quadrangles".
 
 #include <riprap/core/simd.hpp>
 
 namespace riprap::internal {
 
-/// A place in a frame that moves with the overlap [m].
+/// A vector in the plane, for as many overlaps as N has lanes.
 template <class N>
-struct FramePoint {
-  N u, v;
+struct PlaneVector {
+  N x, y;
+
+  [[nodiscard, gnu::always_inline]] N dot(const PlaneVector& o) const { return x * o.x + y * o.y; }
+  [[nodiscard, gnu::always_inline]] N cross(const PlaneVector& o) const {
+    return x * o.y - y * o.x;
+  }
 };
 
-/// Of the quadrangle of the origin and three more vertices, counter-clockwise, of which two may be
-/// the same; for as many overlaps as N has lanes. Accurate for thin overlaps along u.
+/// Of the quadrangle of vertices 1 to 4, counter-clockwise, of which two may be the same; for as
+/// many overlaps as N has lanes. Nothing cancels, however thin it is.
 template <class N>
 struct QuadrangleMoments {
-  N area, unit, det, depth;
-  FramePoint<N> centroid;
+  PlaneVector<N> d, e;  // diagonals, from vertex 1 to 3 and from 2 to 4
+  N twice_area;
+  // From where the diagonals cross to the middle of d and of e, over half their lengths.
+  N a, b;
+  N dd, de, ee;  // products of the diagonals
+  N per_shape;   // A^4 / (432 det S)
+  N per_spread;  // A / (72 tr S)
+  N slope;       // depth / (2 A)
+  N skew;        // (1 + a) (1 + b) skew: excess of the force's density on side 1-2, over W / A
 
-  [[gnu::always_inline]] QuadrangleMoments(const FramePoint<N>& a, const FramePoint<N>& b,
-                                           const FramePoint<N>& c) {
-    // Two triangles at the origin.
-    const N first = 0.5 * (a.u * b.v - a.v * b.u);
-    const N second = 0.5 * (b.u * c.v - b.v * c.u);
-    area = first + second;
-    const N share = second / area;
-    const N apart_u = c.u - a.u;
-    const N apart_v = c.v - a.v;
-    centroid = {(a.u + b.u + share * apart_u) * (1.0 / 3),
-                (a.v + b.v + share * apart_v) * (1.0 / 3)};
-    // Second moments: of each triangle about its centroid, and of their centroids.
-    const N f = first * (1.0 / 18);
-    const N s = second * (1.0 / 18);
-    const N between = first * share * (1.0 / 9);
-    uu_ = f * (a.u * a.u + b.u * b.u - a.u * b.u) + s * (b.u * b.u + c.u * c.u - b.u * c.u) +
-          between * apart_u * apart_u;
-    vv_ = f * (a.v * a.v + b.v * b.v - a.v * b.v) + s * (b.v * b.v + c.v * c.v - b.v * c.v) +
-          between * apart_v * apart_v;
-    uv_ = f * (a.u * a.v + b.u * b.v - 0.5 * (a.u * b.v + b.u * a.v)) +
-          s * (b.u * b.v + c.u * c.v - 0.5 * (b.u * c.v + c.u * b.v)) + between * apart_u * apart_v;
-    det = uu_ * vv_ - uv_ * uv_;
-    const N trace = uu_ + vv_;
-    of_trace_ = det / trace;
-    unit = 12 / (area * trace);
-    depth = square_root(N(2 * unit * det));
+  /// @param all,at_1,at_2 twice the areas: whole, and cut off by e and d at vertices 1 and 2
+  [[gnu::always_inline]] QuadrangleMoments(const PlaneVector<N>& from_1,
+                                           const PlaneVector<N>& from_2, const N& all,
+                                           const N& at_1, const N& at_2)
+      : d(from_1), e(from_2), twice_area(all) {
+    const N inverse = 2 / twice_area;
+    a = 1 - at_1 * inverse;
+    b = 1 - at_2 * inverse;
+    dd = d.dot(d);
+    de = d.dot(e);
+    ee = e.dot(e);
+    const N aa = a * a;
+    const N bb = b * b;
+    const N ab = 4 * (a * b);
+    const N shape = 3 + aa + bb - aa * bb;
+    per_shape = 1 / shape;
+    per_spread = 1 / ((3 + aa) * dd + (3 + bb) * ee - ab * de);
+    slope = square_root(N(shape * per_spread));
+    skew = ab * per_shape - 6 * de * per_spread;
   }
-
-  /// Density of the force over `unit`, at a place relative to the centroid.
-  [[nodiscard, gnu::always_inline]] N density(const FramePoint<N>& r) const {
-    return (vv_ - of_trace_) * r.u * r.u - 2 * uv_ * r.u * r.v + (uu_ - of_trace_) * r.v * r.v -
-           det / area;
-  }
-
- private:
-  N uu_, vv_, uv_, of_trace_;
 };
 
 }  // namespace riprap::internal
