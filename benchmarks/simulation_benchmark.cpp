@@ -3,9 +3,8 @@
 //
 // step/no_breakage/N   polygons of 5 to 8 corners at 2 MPa, without stress in the particles; larger
 //                      samples repeat the cell of the smallest
-// step/chord/N         the same with OverlapChord and LinearSpringCoulomb, at the time step for
-// them step/breakage/P      500 sharp particles in a biaxial test at P, as examples/biaxial runs
-// it: the
+// step/chord/N         the same with OverlapChord and LinearSpringCoulomb, at their time step
+// step/breakage/P      500 sharp particles in a biaxial test at P, as examples/biaxial runs it: the
 //                      stress is checked in each at every step, and what has to break breaks. The
 //                      counters say what share of the time the checks are. Timed in the first 3 %
 //                      of strain; the servo steers on, untimed
