@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <riprap/acceleration/screening/weighted_influence.hpp>
+#include <riprap/core/simd.hpp>
+#include <riprap/stress/nodal_shares.hpp>
+
+namespace riprap {
+
+RIPRAP_INLINE void WeightedInfluence::assign(const InfluenceOperatorF32& op,
+                                             std::span<const BoundaryLoad> loads,
+                                             std::span<const LocatedPoint> places,
+                                             std::span<const float> factors) {
+  size_ = op.padded_size();
+  const std::size_t stride = size_ / 3;
+  factors_.resize(size_);
+  float largest = 0;
+  for (std::size_t e = 0; e < stride; ++e) {
+    factors_[e] = factors_[stride + e] = factors[e];
+    factors_[2 * stride + e] = std::numbers::sqrt2_v<float> * factors[e];
+    largest = std::max(largest, factors[e]);
+  }
+  largest_norm_ = static_cast<double>(largest) * op.largest_norm();
+  shape_factor_ = op.shape_factor();
+  columns_.resize(loads.size() * 2 * size_);
+  sensitivities_.resize(loads.size());
+  for (std::size_t c = 0; c < loads.size(); ++c) {
+    weight_columns(op, loads[c].at, columns_.data() + c * 2 * size_);
+    sensitivities_[c] = find_sensitivity(op, loads[c], places[c]);
+  }
+}
+
+RIPRAP_INLINE AxisForm WeightedInfluence::product(std::size_t c, std::size_t d) const {
+  const float* const x = columns(c);
+  const float* const y = x + size_;
+  const float* const p = columns(d);
+  const float* const q = p + size_;
+  std::array<std::array<FourFloats, 4>, 2> sums{};  // in two chains
+  for (std::size_t i = 0; i < size_; i += 8)
+    for (std::size_t chain = 0; chain < 2; ++chain) {
+      const std::size_t at = i + 4 * chain;
+      const auto along_x = load_lanes<FourFloats>(x + at);
+      const auto along_y = load_lanes<FourFloats>(y + at);
+      const auto along_p = load_lanes<FourFloats>(p + at);
+      const auto along_q = load_lanes<FourFloats>(q + at);
+      sums[chain][0] += along_x * along_p;
+      sums[chain][1] += along_x * along_q;
+      sums[chain][2] += along_y * along_p;
+      sums[chain][3] += along_y * along_q;
+    }
+  const auto sum = [&](std::size_t k) { return lane_sum(sums[0][k] + sums[1][k]); };
+  return {sum(0), sum(1), sum(2), sum(3)};
+}
+
+RIPRAP_INLINE void WeightedInfluence::weight_columns(const InfluenceOperatorF32& op,
+                                                     const BoundaryPoint& at, float* to) const {
+  const NodalShares share = op.shares(at);
+  const auto near = static_cast<float>(share.weights[0]);
+  const auto far = static_cast<float>(share.weights[1]);
+  const auto third = static_cast<float>(share.weights[2]);
+  const float* const a = op.columns(share.nodes[0]);
+  const float* const b = op.columns(share.nodes[1]);
+  const float* const c =
+      op.columns(share.nodes[share.count - 1]);  // with a share of zero if linear
+  for (std::size_t axis = 0; axis < 2 * size_; axis += size_)
+    for (std::size_t i = 0; i < size_; i += 4) {
+      const auto column = [&](const float* from) {
+        return load_lanes<FourFloats>(from + axis + i);
+      };
+      store_lanes(to + axis + i, load_lanes<FourFloats>(factors_.data() + i) *
+                                     (near * column(a) + far * column(b) + third * column(c)));
+    }
+}
+
+// The derivative of the stresses along the segment from a node is linear at most, so that its norm
+// is the largest at an end of what the point can reach.
+RIPRAP_INLINE PositionSensitivity WeightedInfluence::find_sensitivity(
+    const InfluenceOperatorF32& op, const BoundaryLoad& load, const LocatedPoint& place) const {
+  const std::uint32_t nodes = op.locator().nodes();
+  const auto before = [&](std::uint32_t node) { return node == 0 ? nodes - 1 : node - 1; };
+  const float length = op.segment_length(load.at.node);
+  const float from_node = (1 - static_cast<float>(load.at.weight)) * length;
+  const float to_next = length - from_node;
+  PositionSensitivity found{.radius = reach * length};
+  const auto x = static_cast<float>(load.force_body.x());
+  const auto y = static_cast<float>(load.force_body.y());
+  float steepest = 0;
+  float unit = 0;
+  const auto include = [&](std::uint32_t node, float along) {
+    const AxisForm form =
+        slope_form(op, node, std::clamp(along / op.segment_length(node), 0.0f, 1.0f));
+    steepest = std::max(steepest, form.square(x, y));
+    unit = std::max(unit, form.largest_eigenvalue());
+  };
+  include(load.at.node, from_node - found.radius);
+  if (op.quadratic()) include(load.at.node, from_node + found.radius);
+  if (from_node <= found.radius) {
+    const std::uint32_t node = before(load.at.node);
+    const float back = op.segment_length(node);
+    include(node, back - (from_node + found.radius));
+    if (op.quadratic() && load.at.node % 2 == 0) include(node, back);
+  }
+  if (to_next <= found.radius) {
+    include(load.at.next, to_next + found.radius);
+    if (op.quadratic() && load.at.next % 2 == 0) include(load.at.next, 0);
+  }
+  found.force = std::sqrt(steepest);
+  found.unit = std::sqrt(unit);
+  found.holds_round_corner = std::abs(static_cast<float>(place.from_corner)) <= found.radius;
+  return found;
+}
+
+// Of the derivatives by the arc length, at a part of the segment from a node.
+RIPRAP_INLINE AxisForm WeightedInfluence::slope_form(const InfluenceOperatorF32& op,
+                                                     std::uint32_t node, float along) const {
+  const NodalShares side = op.shares({node, (node + 1) % op.locator().nodes(), 1});
+  // Derivatives of the shares of its nodes.
+  std::array<float, 3> slope{-1, 1, 0};
+  if (op.quadratic() && node % 2 == 0) slope = {along - 1.5f, 2 - 2 * along, along - 0.5f};
+  if (op.quadratic() && node % 2 != 0) slope = {-2 * along, along + 0.5f, along - 0.5f};
+  const float per_length = 1 / op.segment_length(node);
+  for (float& s : slope) s *= per_length;
+  const float* const a = op.columns(side.nodes[0]);
+  const float* const b = op.columns(side.nodes[1]);
+  const float* const c = op.columns(side.nodes[side.count - 1]);
+  FourFloats xx{0, 0, 0, 0};
+  FourFloats xy = xx;
+  FourFloats yy = xx;
+  for (std::size_t i = 0; i < size_; i += 4) {
+    const auto factor = load_lanes<FourFloats>(factors_.data() + i);
+    const auto along_axis = [&](std::size_t axis) -> FourFloats {
+      const auto column = [&](const float* from) {
+        return load_lanes<FourFloats>(from + axis + i);
+      };
+      return factor * (slope[0] * column(a) + slope[1] * column(b) + slope[2] * column(c));
+    };
+    const FourFloats x = along_axis(0);
+    const FourFloats y = along_axis(size_);
+    xx += x * x;
+    xy += x * y;
+    yy += y * y;
+  }
+  // Round-off of the columns themselves is 6e-8 of them, and nodes are not near each other.
+  const float off = 1e-4f * (lane_sum(xx) + lane_sum(yy));
+  return {lane_sum(xx) + off, lane_sum(xy), lane_sum(xy), lane_sum(yy) + off};
+}
+
+}  // namespace riprap
