@@ -102,7 +102,7 @@ RIPRAP_INLINE ScreeningResult FailureScreening::operator()(const ElementStressF3
 RIPRAP_INLINE ScreeningResult FailureScreening::find_margin(const ElementStressF32& stress,
                                                             std::span<const float> weights,
                                                             double enough, double& failed) {
-  factors_.assign(stress.stride, 1.0f);
+  factors_.assign(stress.stride, 0.0f);
   failed = std::numeric_limits<double>::infinity();
   if (!(stress.error < 1e30)) return {.possible = stress.elements};
   find_distances(stress);
@@ -130,9 +130,14 @@ RIPRAP_INLINE ScreeningResult FailureScreening::find_margin(const ElementStressF
     return result;
   }
   const float edge = internal::lower_edge(b);
-  for (std::size_t e = 0; e < stress.stride; ++e) {
-    const bool counts = e < stress.elements && distances_[e] >= edge;
-    factors_[e] = counts ? edge / distances_[e] * std::sqrt(weights[e]) : 0.0f;
+  const FourFloats edges{edge, edge, edge, edge};
+  constexpr FourFloats zero{0, 0, 0, 0};
+  for (std::size_t e = 0; e < stress.elements; e += 4) {
+    const auto distance = load_lanes<FourFloats>(distances_.data() + e);
+    const FourFloats weight = e + 4 <= weights.size() ? load_lanes<FourFloats>(weights.data() + e)
+                                                      : internal::load_some(weights.subspan(e));
+    const FourFloats factor = edges / distance * square_root(weight);
+    store_lanes(factors_.data() + e, FourFloats(distance >= edges ? factor : zero));
   }
   result.stress_margin = static_cast<double>(edge) * std::sqrt(std::max(0.0, enough - below)) /
                          static_cast<double>(inverse_unit_);

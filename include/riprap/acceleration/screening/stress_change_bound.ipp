@@ -38,8 +38,9 @@ RIPRAP_INLINE void StressChangeBound::reset(std::span<const ContactLoad> loads,
     forces += force.norm();
   }
   store_products(influence);
-  // Arms and forces are rounded to 6e-8 of their size. An arm is up to some twenty node spacings
-  // long, and a force that moves by a node spacing changes the stresses by up to twice the norm.
+  // Arms, forces and columns are rounded to 6e-8 of their size. An arm is up to some twenty node
+  // spacings long, and a force that moves by a node spacing changes the stresses by up to twice the
+  // norm.
   limit_ = static_cast<float>((1 - margin) * limit - margin * influence.shape_factor() *
                                                          influence.largest_norm() * forces);
   // Its square must not underflow.

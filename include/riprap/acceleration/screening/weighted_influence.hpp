@@ -64,12 +64,12 @@ class WeightedInfluence {
   [[nodiscard]] const float* columns(std::size_t c) const {
     return columns_.data() + c * 2 * size_;
   }
-  void weight_columns(const InfluenceOperatorF32& op, const BoundaryPoint& at, float* to) const;
+  void weight_columns(const InfluenceOperatorF32& op, const BoundaryPoint& point, float* to) const;
   [[nodiscard]] PositionSensitivity find_sensitivity(const InfluenceOperatorF32& op,
                                                      const BoundaryLoad& load,
                                                      const LocatedPoint& place) const;
   [[nodiscard]] AxisForm slope_form(const InfluenceOperatorF32& op, std::uint32_t node,
-                                    float along) const;
+                                    double along) const;
 
   std::size_t size_ = 0;        // of a column
   std::vector<float> factors_;  // of a column: the shear's times the root of two

@@ -12,6 +12,15 @@
 
 namespace riprap {
 
+namespace internal {
+
+[[nodiscard]] inline FourFloats four_times(double number) {
+  const auto f = static_cast<float>(number);
+  return FourFloats{f, f, f, f};
+}
+
+}  // namespace internal
+
 RIPRAP_INLINE void WeightedInfluence::assign(const InfluenceOperatorF32& op,
                                              std::span<const BoundaryLoad> loads,
                                              std::span<const LocatedPoint> places,
@@ -40,40 +49,40 @@ RIPRAP_INLINE AxisForm WeightedInfluence::product(std::size_t c, std::size_t d) 
   const float* const y = x + size_;
   const float* const p = columns(d);
   const float* const q = p + size_;
-  std::array<std::array<FourFloats, 4>, 2> sums{};  // in two chains
-  for (std::size_t i = 0; i < size_; i += 8)
-    for (std::size_t chain = 0; chain < 2; ++chain) {
-      const std::size_t at = i + 4 * chain;
-      const auto along_x = load_lanes<FourFloats>(x + at);
-      const auto along_y = load_lanes<FourFloats>(y + at);
-      const auto along_p = load_lanes<FourFloats>(p + at);
-      const auto along_q = load_lanes<FourFloats>(q + at);
-      sums[chain][0] += along_x * along_p;
-      sums[chain][1] += along_x * along_q;
-      sums[chain][2] += along_y * along_p;
-      sums[chain][3] += along_y * along_q;
-    }
-  const auto sum = [&](std::size_t k) { return lane_sum(sums[0][k] + sums[1][k]); };
-  return {sum(0), sum(1), sum(2), sum(3)};
+  FourFloats xp{0, 0, 0, 0};
+  FourFloats xq = xp;
+  FourFloats yp = xp;
+  FourFloats yq = xp;
+  for (std::size_t i = 0; i < size_; i += 4) {
+    const auto along_x = load_lanes<FourFloats>(x + i);
+    const auto along_y = load_lanes<FourFloats>(y + i);
+    const auto along_p = load_lanes<FourFloats>(p + i);
+    const auto along_q = load_lanes<FourFloats>(q + i);
+    xp += along_x * along_p;
+    xq += along_x * along_q;
+    yp += along_y * along_p;
+    yq += along_y * along_q;
+  }
+  return {lane_sum(xp), lane_sum(xq), lane_sum(yp), lane_sum(yq)};
 }
 
 RIPRAP_INLINE void WeightedInfluence::weight_columns(const InfluenceOperatorF32& op,
-                                                     const BoundaryPoint& at, float* to) const {
-  const NodalShares share = op.shares(at);
-  const auto near = static_cast<float>(share.weights[0]);
-  const auto far = static_cast<float>(share.weights[1]);
-  const auto third = static_cast<float>(share.weights[2]);
+                                                     const BoundaryPoint& point, float* to) const {
+  const NodalShares share = op.shares(point);
+  const FourFloats near = internal::four_times(share.weights[0]);
+  const FourFloats far = internal::four_times(share.weights[1]);
+  const FourFloats third = internal::four_times(share.weights[2]);
   const float* const a = op.columns(share.nodes[0]);
   const float* const b = op.columns(share.nodes[1]);
   const float* const c =
       op.columns(share.nodes[share.count - 1]);  // with a share of zero if linear
   for (std::size_t axis = 0; axis < 2 * size_; axis += size_)
     for (std::size_t i = 0; i < size_; i += 4) {
-      const auto column = [&](const float* from) {
-        return load_lanes<FourFloats>(from + axis + i);
-      };
-      store_lanes(to + axis + i, load_lanes<FourFloats>(factors_.data() + i) *
-                                     (near * column(a) + far * column(b) + third * column(c)));
+      const std::size_t at = axis + i;
+      store_lanes(to + at, load_lanes<FourFloats>(factors_.data() + i) *
+                               (near * load_lanes<FourFloats>(a + at) +
+                                far * load_lanes<FourFloats>(b + at) +
+                                third * load_lanes<FourFloats>(c + at)));
     }
 }
 
@@ -92,20 +101,21 @@ RIPRAP_INLINE PositionSensitivity WeightedInfluence::find_sensitivity(
   float steepest = 0;
   float unit = 0;
   const auto include = [&](std::uint32_t node, float along) {
-    const AxisForm form =
-        slope_form(op, node, std::clamp(along / op.segment_length(node), 0.0f, 1.0f));
+    const AxisForm form = slope_form(
+        op, node, static_cast<double>(std::clamp(along / op.segment_length(node), 0.0f, 1.0f)));
     steepest = std::max(steepest, form.square(x, y));
     unit = std::max(unit, form.largest_eigenvalue());
   };
   include(load.at.node, from_node - found.radius);
   if (op.quadratic()) include(load.at.node, from_node + found.radius);
-  if (from_node <= found.radius) {
+  const float near_node = 1.01f * found.radius;  // whatever the round-off of `from_corner`
+  if (from_node <= near_node) {
     const std::uint32_t node = before(load.at.node);
     const float back = op.segment_length(node);
     include(node, back - (from_node + found.radius));
     if (op.quadratic() && load.at.node % 2 == 0) include(node, back);
   }
-  if (to_next <= found.radius) {
+  if (to_next <= near_node) {
     include(load.at.next, to_next + found.radius);
     if (op.quadratic() && load.at.next % 2 == 0) include(load.at.next, 0);
   }
@@ -117,14 +127,16 @@ RIPRAP_INLINE PositionSensitivity WeightedInfluence::find_sensitivity(
 
 // Of the derivatives by the arc length, at a part of the segment from a node.
 RIPRAP_INLINE AxisForm WeightedInfluence::slope_form(const InfluenceOperatorF32& op,
-                                                     std::uint32_t node, float along) const {
+                                                     std::uint32_t node, double along) const {
   const NodalShares side = op.shares({node, (node + 1) % op.locator().nodes(), 1});
   // Derivatives of the shares of its nodes.
-  std::array<float, 3> slope{-1, 1, 0};
-  if (op.quadratic() && node % 2 == 0) slope = {along - 1.5f, 2 - 2 * along, along - 0.5f};
-  if (op.quadratic() && node % 2 != 0) slope = {-2 * along, along + 0.5f, along - 0.5f};
-  const float per_length = 1 / op.segment_length(node);
-  for (float& s : slope) s *= per_length;
+  std::array<double, 3> slope{-1, 1, 0};
+  if (op.quadratic() && node % 2 == 0) slope = {along - 1.5, 2 - 2 * along, along - 0.5};
+  if (op.quadratic() && node % 2 != 0) slope = {-2 * along, along + 0.5, along - 0.5};
+  const double per_length = 1 / static_cast<double>(op.segment_length(node));
+  const FourFloats near = internal::four_times(slope[0] * per_length);
+  const FourFloats far = internal::four_times(slope[1] * per_length);
+  const FourFloats third = internal::four_times(slope[2] * per_length);
   const float* const a = op.columns(side.nodes[0]);
   const float* const b = op.columns(side.nodes[1]);
   const float* const c = op.columns(side.nodes[side.count - 1]);
@@ -133,14 +145,13 @@ RIPRAP_INLINE AxisForm WeightedInfluence::slope_form(const InfluenceOperatorF32&
   FourFloats yy = xx;
   for (std::size_t i = 0; i < size_; i += 4) {
     const auto factor = load_lanes<FourFloats>(factors_.data() + i);
-    const auto along_axis = [&](std::size_t axis) -> FourFloats {
-      const auto column = [&](const float* from) {
-        return load_lanes<FourFloats>(from + axis + i);
-      };
-      return factor * (slope[0] * column(a) + slope[1] * column(b) + slope[2] * column(c));
-    };
-    const FourFloats x = along_axis(0);
-    const FourFloats y = along_axis(size_);
+    const std::size_t j = size_ + i;
+    const FourFloats x =
+        factor * (near * load_lanes<FourFloats>(a + i) + far * load_lanes<FourFloats>(b + i) +
+                  third * load_lanes<FourFloats>(c + i));
+    const FourFloats y =
+        factor * (near * load_lanes<FourFloats>(a + j) + far * load_lanes<FourFloats>(b + j) +
+                  third * load_lanes<FourFloats>(c + j));
     xx += x * x;
     xy += x * y;
     yy += y * y;
