@@ -120,7 +120,9 @@ struct ByOperator {
     benchmark::DoNotOptimize(stress.values.data());
     if constexpr (!whole) return;
     const ScreeningResult result = screening(stress, 1 + 2 * op.elements() / 5);
-    reference.reset(loads, placed, places, Rotation{}, op, result.stress_margin);
+    static WeightedInfluence influence;
+    influence.assign(op, placed, places, screening.factors());
+    reference.reset(loads, placed, places, Rotation{}, influence, result.stress_margin);
   }
 };
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include <riprap/riprap.hpp>
+#include <riprap/simulation/presets/recommended.hpp>
 
 using namespace riprap;
 
@@ -72,11 +73,10 @@ int main(int argc, char** argv) {
   int breaks = 0;
   for (int k = 3; k < argc; ++k) {
     sample.pressure = 1e6 * std::atof(argv[k]);
-    const auto moments =
-        Model{}.narrow_phase(OverlapMoments{}).contact_law(EnergyConservingSpring{});
+    const auto recommended = presets::recommended();
     for (const int found :
          {compare(sample, Model{}), compare(sample, Model{}.boundary(PeriodicCell{})),
-          compare(sample, moments), compare(sample, moments.boundary(PeriodicCell{}))}) {
+          compare(sample, recommended), compare(sample, recommended.boundary(PeriodicCell{}))}) {
       if (found < 0) return 1;
       breaks += found;
     }

@@ -18,7 +18,7 @@ namespace riprap {
 
 /// Operators are built on first use. If the budget does not suffice for all of them, the least
 /// recently used ones are evicted and rebuilt on demand, with the same bytes: results do not depend
-/// on the budget. With 100 triangles an operator takes 140 to 190 kB in double and 80 to 110 kB in
+/// on the budget. With 100 triangles an operator takes 120 to 200 kB in double and 65 to 105 kB in
 /// single precision; the more, the blunter the particle. The default.
 struct OperatorCache {
   /// 4 GiB: some 45,000 operators of 100 triangles in single precision.

@@ -205,12 +205,18 @@ RIPRAP_INLINE void InfluenceOperator::find_stress(const std::vector<double>& dis
                                                   const double* elasticity) {
   const std::size_t count = sampling_points().size();
   const std::size_t loads = 2 * std::size_t{mesh_.boundary_nodes};
-  stress_.resize(static_cast<Eigen::Index>(3 * count), static_cast<Eigen::Index>(loads));
-  std::vector<double> of_loads(loads);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t e = i / rule_.size();
-    for (std::size_t component = 0; component < 3; ++component) {
-      std::fill(of_loads.begin(), of_loads.end(), 0);
+  const std::size_t rows = 3 * count;
+  stress_.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(loads));
+  // Row by row, but written in blocks of a cache line: columns are far apart.
+  constexpr std::size_t block = 8;
+  std::vector<double> of_loads(block * loads);
+  for (std::size_t first = 0; first < rows; first += block) {
+    const std::size_t some = std::min(block, rows - first);
+    std::fill(of_loads.begin(), of_loads.end(), 0);
+    for (std::size_t r = 0; r < some; ++r) {
+      const std::size_t component = (first + r) / count;
+      const std::size_t i = (first + r) % count;
+      const std::size_t e = i / rule_.size();
       for (std::size_t k = 0; k < 2 * elements.nodes; ++k) {
         const double* const strain = elements.sampled_strain(i) + 3 * k;
         // The one place where tension-positive algebra becomes compression-positive stress.
@@ -219,11 +225,12 @@ RIPRAP_INLINE void InfluenceOperator::find_stress(const std::vector<double>& dis
               (elasticity[component + 3] * strain[1] + elasticity[component + 6] * strain[2]));
         const double* const u =
             displacement.data() + stiffness.row(mesh_.node(e, k / 2), k % 2) * loads;
-        internal::subtract(-to_stress, u, loads, of_loads.data());
+        internal::subtract(-to_stress, u, loads, of_loads.data() + r * loads);
       }
-      double* entry = stress_.data() + component * count + i;
-      for (std::size_t c = 0; c < loads; ++c, entry += 3 * count) *entry = of_loads[c];
     }
+    double* to = stress_.data() + first;
+    for (std::size_t c = 0; c < loads; ++c, to += rows)
+      for (std::size_t r = 0; r < some; ++r) to[r] = of_loads[r * loads + c];
   }
 }
 

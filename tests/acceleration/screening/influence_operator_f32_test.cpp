@@ -37,12 +37,6 @@ double frobenius_square(const ElementStress& stress) {
   return sum;
 }
 
-double value(const AxisForm& form, const Vec2& p, const Vec2& q) {
-  const auto x = Vec2{form.xx, form.xy};
-  const auto y = Vec2{form.yx, form.yy};
-  return p.x() * x.dot(q) + p.y() * y.dot(q);
-}
-
 }  // namespace
 
 TEST_CASE("the error of the compact operator is below its bound, and the bound is small") {
@@ -71,25 +65,6 @@ TEST_CASE("the error of the compact operator is below its bound, and the bound i
   }
 }
 
-TEST_CASE("the norm of all stresses is a quadratic form in the forces") {
-  Random random(92);
-  for (int sample = 0; sample < 30; ++sample) {
-    const InfluenceOperator exact = random_operator(random, 60);
-    const Mesh& mesh = exact.mesh();
-    const InfluenceOperatorF32 compact(exact);
-    const auto loads = test::random_loads(mesh, 4, random);
-    double form = 0;
-    double terms = 0;
-    for (const BoundaryLoad& p : loads)
-      for (const BoundaryLoad& q : loads)
-        form += value(compact.product(p.at, q.at), p.force_body, q.force_body);
-    for (const BoundaryLoad& p : loads)
-      terms += std::sqrt(value(compact.product(p.at, p.at), p.force_body, p.force_body));
-    const double expected = frobenius_square(test::stress_of(exact, loads));
-    CHECK(std::abs(form - expected) <= InfluenceOperatorF32::product_error * terms * terms);
-  }
-}
-
 TEST_CASE("no unit force stresses a particle more than the largest norm") {
   Random random(93);
   for (int sample = 0; sample < 30; ++sample) {
@@ -102,35 +77,11 @@ TEST_CASE("no unit force stresses a particle more than the largest norm") {
       largest = std::max(largest,
                          std::sqrt(frobenius_square(test::stress_of(exact, std::span(&load, 1)))));
     }
-    // Half the round-off of the products.
-    CHECK(largest <= (1 + InfluenceOperatorF32::product_error) * compact.largest_norm());
+    // Round-off of sums in single precision.
+    CHECK(largest <= (1 + 2e-5) * compact.largest_norm());
     // The bound on the shares of quadratic shape functions takes another fifth.
     CHECK(largest >= 0.5 * compact.largest_norm());
   }
-}
-
-TEST_CASE("a unit force that moves changes the stresses by no more than steepness times distance") {
-  Random random(94);
-  double tightest = 0;
-  for (int sample = 0; sample < 30; ++sample) {
-    const InfluenceOperator exact = random_operator(random, 60);
-    const Mesh& mesh = exact.mesh();
-    const InfluenceOperatorF32 compact(exact);
-    for (BoundaryLoad load : test::random_loads(mesh, 100, random)) {
-      load.force_body /= load.force_body.norm();
-      const ElementStress there = test::stress_of(exact, std::span(&load, 1));
-      const Vec2 place = mesh.position(load.at);
-      const double position_sensitivity = compact.position_sensitivity(load.at);
-      load.at.weight = random.uniform(0, 1);
-      ElementStress moved = test::stress_of(exact, std::span(&load, 1));
-      moved.values() -= there.values();
-      const double distance = (mesh.position(load.at) - place).norm();
-      const double change = std::sqrt(frobenius_square(moved));
-      CHECK(change <= position_sensitivity * distance);
-      tightest = std::max(tightest, change / (position_sensitivity * distance));
-    }
-  }
-  CHECK(tightest >= 0.95);
 }
 
 TEST_CASE("a load off the boundary or not finite is refused") {

@@ -10,6 +10,7 @@
 #include <riprap/stress/element/linear_strain_triangle.hpp>
 #include <riprap/stress/plane_state/plane_stress.hpp>
 #include <support/loaded_particle.hpp>
+#include <support/weighted_norm.hpp>
 
 using namespace riprap;
 
@@ -32,6 +33,7 @@ InfluenceOperator random_operator(Random& random) {
 struct Loaded {
   explicit Loaded(Random& random)
       : op(random_operator(random)), compact(op),
+        factors(test::random_factors(random, compact.elements())),
         rotation(Rotation::from_angle(random.uniform(-3, 3))) {
     const std::uint32_t count = random.uniform_integer(1, 8);
     for (std::uint32_t k = 0; k < count; ++k) loads.push_back(contact(random, 10 * k));
@@ -96,11 +98,22 @@ struct Loaded {
   void reset(StressChangeBound& reference, double limit) const {
     std::vector<LocatedPoint> places;
     const auto all = placed(&places);
-    reference.reset(loads, all, places, rotation, compact, limit);
+    WeightedInfluence influence;
+    influence.assign(compact, all, places, factors);
+    reference.reset(loads, all, places, rotation, influence, limit);
+  }
+  // Norm of the stresses, or of their change.
+  [[nodiscard]] double norm(const ElementStress& now) const {
+    return test::weighted_norm(now, factors);
+  }
+  [[nodiscard]] double change(const ElementStress& then, ElementStress now) const {
+    now.values() -= then.values();
+    return norm(now);
   }
 
   InfluenceOperator op;
   InfluenceOperatorF32 compact;
+  std::vector<float> factors;
   Rotation rotation;
   std::vector<ContactLoad> loads;
 };
@@ -153,22 +166,6 @@ struct Change {
   double turn = 0;
 };
 
-double frobenius(const ElementStress& a, const ElementStress& b) {
-  double square = 0;
-  for (std::size_t e = 0; e < a.size(); ++e) {
-    const Stress2 d = a[e];
-    const Stress2 f = b[e];
-    square += (d.s11 - f.s11) * (d.s11 - f.s11) + (d.s22 - f.s22) * (d.s22 - f.s22) +
-              2 * (d.s12 - f.s12) * (d.s12 - f.s12);
-  }
-  return std::sqrt(square);
-}
-double frobenius(const ElementStress& a) {
-  ElementStress none;
-  none.reset(a.size());
-  return frobenius(a, none);
-}
-
 }  // namespace
 
 TEST_CASE("within the limit of a reference, stresses have changed by no more than it") {
@@ -183,7 +180,7 @@ TEST_CASE("within the limit of a reference, stresses have changed by no more tha
       const double amount = std::pow(10, random.uniform(-7, -1.5));
       for (int step = 0; step < 3; ++step) {
         particle.move(random, amount);
-        const double change = frobenius(then, particle.stress());
+        const double change = particle.change(then, particle.stress());
         StressChangeBound reference;
         // Were the bound lower than the change by a thousandth, this would show it.
         before.reset(reference, 0.999 * change);
@@ -204,14 +201,14 @@ TEST_CASE("a load gets weights as long as a tenth of the limit is left") {
   for (int sample = 0; sample < 20; ++sample) {
     Loaded particle(random);
     const ElementStress stress = particle.stress();
-    const double limit = frobenius(stress);
+    const double limit = particle.norm(stress);
     StressChangeBound reference;
     particle.reset(reference, limit);
     const std::vector<ContactLoad> loads = particle.loads;
     // With its places as they are, the stress grows as its forces do: by these parts of the limit,
     // which the bound finds to its margins of some thousandths, twice as many with six nodes.
     const double below = particle.op.mesh().mid_sides.empty() ? 0.99 : 0.98;
-    for (const double grown : {0.5, 0.89, 0.91, below, 1.01}) {
+    for (const double grown : {0.5, 0.88, 0.91, below, 1.01}) {
       CAPTURE(grown);
       for (std::size_t k = 0; k < loads.size(); ++k)
         particle.loads[k].force_lab = (1 + grown) * loads[k].force_lab;
@@ -231,7 +228,7 @@ TEST_CASE("while an incremental bound is within its budget, the stresses are wit
     const Loaded then(random);
     const ElementStress stress = then.stress();
     for (int history = 0; history < 100; ++history) {
-      const double limit = std::pow(10, random.uniform(-3, 0)) * frobenius(stress);
+      const double limit = std::pow(10, random.uniform(-3, 0)) * then.norm(stress);
       StressChangeBound reference;
       then.reset(reference, limit);
       Loaded before = then;
@@ -248,7 +245,7 @@ TEST_CASE("while an incremental bound is within its budget, the stresses are wit
             middle;
       }
       const Loaded after = change.of(before, share);
-      const double moved = frobenius(stress, after.stress());
+      const double moved = then.change(stress, after.stress());
       CHECK(moved <= limit);
       // So the reference says, whose bound is bounded by the weights.
       CHECK(reference.within_limit(after.loads, after.rotation));
@@ -271,10 +268,10 @@ TEST_CASE("for forces that change at fixed places the bound is the change itself
     const Loaded before = particle;
     for (ContactLoad& load : particle.loads)
       load.force_lab += Vec2{random.uniform(-300, 300), random.uniform(-300, 300)};
-    const double change = frobenius(then, particle.stress());
-    // The quadratic form is inflated by up to 1.3e-3; a root halves that.
+    const double change = particle.change(then, particle.stress());
+    // The diagonal of the form is inflated by up to 1.3e-3; stresses of several forces may cancel.
     before.reset(tight, 0.999 * change);
-    before.reset(wide, 1.01 * change);
+    before.reset(wide, 1.02 * change);
     CHECK_FALSE(tight.within_limit(particle.loads, particle.rotation));
     CHECK(wide.within_limit(particle.loads, particle.rotation));
   }
@@ -290,7 +287,7 @@ TEST_CASE("a single force along the stiffer axis leaves the sum of norms no room
         Loaded after = before;
         after.loads[c].force_lab += before.rotation * (random.uniform(100, 300) * axis);
         StressChangeBound reference;
-        before.reset(reference, 0.999 * frobenius(then, after.stress()));
+        before.reset(reference, 0.999 * before.change(then, after.stress()));
         CHECK_FALSE(reference.within_limit(after.loads, after.rotation));
       }
   }

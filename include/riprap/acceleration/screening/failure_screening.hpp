@@ -115,7 +115,7 @@ class MohrRadiusTable {
 struct ScreeningResult {
   /// Upper bound on the number of failed elements.
   std::size_t possible = 0;
-  /// Frobenius norm of a change of all stresses below which fewer than `needed` elements fail [Pa].
+  /// Weighted norm of a change of all stresses below which fewer than `needed` elements fail [Pa].
   double stress_margin = 0;
 };
 
@@ -133,13 +133,30 @@ class FailureScreening {
   [[nodiscard]] ScreeningResult operator()(const ElementStressF32& stress,
                                            std::span<const float> weights, double needed);
 
+  /// By which the stresses of each element are multiplied in the norm of the last call, at most the
+  /// root of its weight; zeros follow up to `stride` of the stresses.
+  [[nodiscard]] std::span<const float> factors() const { return factors_; }
+
  private:
+  // Part of the margin is spent on elements close to failure, whose stresses then do not count.
+  static constexpr double given_up = 0.5;
+
+  // Of sums of weights.
+  [[nodiscard]] static double round_off(const ElementStressF32& stress) {
+    return 2e-5 * static_cast<double>(stress.elements);
+  }
   void find_distances(const ElementStressF32& stress);
+  // `failed` is the sum of the weights of possibly failed elements.
+  [[nodiscard]] ScreeningResult find_margin(const ElementStressF32& stress,
+                                            std::span<const float> weights, double enough,
+                                            double& failed);
 
   MohrRadiusTable radii_;
   float inverse_unit_ = 1;
   std::vector<float> centres_;
   std::vector<float> distances_;  // of every element from failure, in units of half a step
+  std::vector<float> factors_;
+  std::vector<float> ones_;
 };
 
 }  // namespace riprap

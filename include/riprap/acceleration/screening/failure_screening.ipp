@@ -82,86 +82,65 @@ RIPRAP_INLINE void FailureScreening::find_distances(const ElementStressF32& stre
 
 RIPRAP_INLINE ScreeningResult FailureScreening::operator()(const ElementStressF32& stress,
                                                            std::size_t needed) {
-  ScreeningResult result;
-  if (!(stress.error < 1e30)) return {.possible = stress.elements};
-  find_distances(stress);
-  std::array<std::uint16_t, internal::distance_bins> counts{};
-  const float* const distances = distances_.data();
-  for (std::size_t e = 0; e < stress.elements; ++e) {
-    result.possible += !(distances[e] > 0);
-    ++counts[internal::distance_bin(distances[e])];
-  }
-  // Sum of squares of the `needed` least distances, with those in and above the last bin rounded
-  // down to its lower edge.
-  std::size_t below = 0;
-  std::size_t b = 0;
-  while (b < counts.size() && below + counts[b] < needed) below += counts[b++];
-  if (b == counts.size()) {
-    result.stress_margin = std::numeric_limits<double>::infinity();
-    return result;
-  }
-  // Sum over all elements, truncated at the edge, less the surplus elements.
-  const float edge = internal::lower_edge(b);
-  std::fill(distances_.begin() + static_cast<std::ptrdiff_t>(stress.elements), distances_.end(), 0);
-  constexpr FourFloats zero{0, 0, 0, 0};
-  FourFloats sums = zero;
-  for (std::size_t e = 0; e < distances_.size(); e += 4) {
-    const auto distance = load_lanes<FourFloats>(distances + e);
-    const FourFloats truncated =
-        smaller(larger(distance, zero), FourFloats{edge, edge, edge, edge});
-    sums += truncated * truncated;
-  }
-  const float all = (sums[0] + sums[1]) + (sums[2] + sums[3]);
-  const auto elements = static_cast<float>(stress.elements);
-  const float too_many = elements - static_cast<float>(needed) + 2e-5f * elements;
-  result.stress_margin =
-      static_cast<double>(std::sqrt(std::max(0.0f, all - too_many * edge * edge))) /
-      static_cast<double>(inverse_unit_);
-  return result;
+  ones_.resize(stress.elements, 1.0f);
+  double failed = 0;
+  return find_margin(stress, ones_, static_cast<double>(needed), failed);
 }
 
-// A set of elements with weights w and distances d whose weights reach the needed sum n needs a
-// change of at least the sum of its d^2. For any edge e that is not less than the sum over all of
-// min(d^2, w e^2), less e^2 times the weight that is left out, at most that of all less n. The best
-// edge is where the weights of elements in the order of d / sqrt(w) reach n.
 RIPRAP_INLINE ScreeningResult FailureScreening::operator()(const ElementStressF32& stress,
                                                            std::span<const float> weights,
                                                            double needed) {
+  double failed = 0;
+  ScreeningResult result = find_margin(stress, weights, needed - round_off(stress), failed);
+  if (failed < needed - round_off(stress)) result.possible = 0;
+  return result;
+}
+
+// Elements with distances d and weights w have failed only if their stresses have changed by d or
+// more. A set whose weights reach n, without those with d < e, still has a weight of n less theirs:
+// over it, and so over all elements with d >= e, the sum of w (change / d)^2 is no less than that.
+RIPRAP_INLINE ScreeningResult FailureScreening::find_margin(const ElementStressF32& stress,
+                                                            std::span<const float> weights,
+                                                            double enough, double& failed) {
+  factors_.assign(stress.stride, 0.0f);
+  failed = std::numeric_limits<double>::infinity();
   if (!(stress.error < 1e30)) return {.possible = stress.elements};
   find_distances(stress);
-  const double round_off = 2e-5 * static_cast<double>(stress.elements);  // of the squares
-  const double enough = needed - round_off;
   ScreeningResult result;
-  // Sums of thousands of weights in single precision would err by more than that.
-  double failed = 0;
-  double all = 0;
+  // Sums of thousands of weights in single precision would err by too much.
+  failed = 0;
   std::array<double, internal::distance_bins> sums{};
   for (std::size_t e = 0; e < stress.elements; ++e) {
     const auto weight = static_cast<double>(weights[e]);
-    all += weight;
     if (!(distances_[e] > 0)) {
       failed += weight;
       distances_[e] = 0;
       ++result.possible;
     }
-    sums[internal::distance_bin(distances_[e] / std::sqrt(weights[e]))] += weight;
+    sums[internal::distance_bin(distances_[e])] += weight;
   }
-  if (failed < enough) result.possible = 0;
-  double below = 0;
-  std::size_t b = 0;
-  while (b < sums.size() && below + sums[b] < enough) below += sums[b++];
-  if (b == sums.size()) {
+  const double near_enough = failed + given_up * (enough - failed);
+  double below = sums[0];
+  std::size_t b = 1;
+  while (b < sums.size() && below + sums[b] < near_enough) below += sums[b++];
+  double all = below;
+  for (std::size_t k = b; k < sums.size(); ++k) all += sums[k];
+  if (all < enough) {
     result.stress_margin = std::numeric_limits<double>::infinity();
     return result;
   }
   const float edge = internal::lower_edge(b);
-  double squares = 0;
-  for (std::size_t e = 0; e < stress.elements; ++e)
-    squares +=
-        static_cast<double>(std::min(distances_[e] * distances_[e], weights[e] * edge * edge));
-  const double left_out = (all - enough + round_off) * static_cast<double>(edge * edge);
-  result.stress_margin =
-      std::sqrt(std::max(0.0, squares - left_out)) / static_cast<double>(inverse_unit_);
+  const FourFloats edges{edge, edge, edge, edge};
+  constexpr FourFloats zero{0, 0, 0, 0};
+  for (std::size_t e = 0; e < stress.elements; e += 4) {
+    const auto distance = load_lanes<FourFloats>(distances_.data() + e);
+    const FourFloats weight = e + 4 <= weights.size() ? load_lanes<FourFloats>(weights.data() + e)
+                                                      : internal::load_some(weights.subspan(e));
+    const FourFloats factor = edges / distance * square_root(weight);
+    store_lanes(factors_.data() + e, FourFloats(distance >= edges ? factor : zero));
+  }
+  result.stress_margin = static_cast<double>(edge) * std::sqrt(std::max(0.0, enough - below)) /
+                         static_cast<double>(inverse_unit_);
   return result;
 }
 

@@ -6,13 +6,10 @@
 #include <cstdint>
 #include <limits>
 
-#include <riprap/core/simd.hpp>
+#include <riprap/acceleration/screening/axis_form.hpp>
 #include <riprap/core/vec2.hpp>
 
 namespace riprap {
-
-/// Components of an arm and a force, x and y of each.
-using FourFloats = Simd<float, 4>;
 
 /// Arm [m] and force [N] of one contact of a particle, in the particle's own frame, and weights:
 /// the part of a budget of one that a unit change of each component uses up. Default: NaN weights,

@@ -32,14 +32,6 @@ struct ElementStressF32 {
   }
 };
 
-/// A bilinear form of the axes of two forces, in single precision.
-struct AxisForm {
-  float xx = 0;
-  float xy = 0;  ///< of the x of the first force and the y of the second
-  float yx = 0;
-  float yy = 0;
-};
-
 /// Half the size of the InfluenceOperator it is made from, without the mesh: its use is limited by
 /// memory bandwidth. No result is computed with it; it only screens particles.
 class InfluenceOperatorF32 {
@@ -56,71 +48,44 @@ class InfluenceOperatorF32 {
   /// boundary or not finite.
   void find_stress(std::span<const BoundaryLoad> loads, double scale, ElementStressF32& out) const;
 
-  /// For unit forces at two boundary points: the sum over all elements of the products of their
-  /// stresses, the shear counted twice, as a matrix of the axes of the forces. With it the square
-  /// of the Frobenius norm of all stresses is a quadratic form. Off by at most `product_error`
-  /// times the norms of the two: sums of three terms for each sampling point in single precision,
-  /// 1,200 with 100 triangles of six nodes. Measured: 6e-7 with 1,600 points.
-  static constexpr double product_error = 4e-5;
-  [[nodiscard]] AxisForm product(const BoundaryPoint& a, const BoundaryPoint& b) const;
-
   /// The sum of the absolute shares of a force at the nodes of its side, and that of their slopes,
   /// are at most so many times those of linear shape functions, which are 1 and 2 per node spacing.
   [[nodiscard]] double shape_factor() const { return quadratic_ ? 2 : 1; }
 
   /// Largest Frobenius norm of the stresses due to a unit force anywhere on the boundary [1/m^2].
   [[nodiscard]] double largest_norm() const { return largest_norm_; }
-  /// Distance from `at` along its edge within which `position_sensitivity` is valid [m]: one node
-  /// spacing.
-  [[nodiscard]] double valid_radius(const BoundaryPoint& at) const {
-    return static_cast<double>(segments_[at.node * ends()].length);
+  /// Length of the boundary from `node` to the next [m].
+  [[nodiscard]] float segment_length(std::uint32_t node) const { return lengths_[node]; }
+  /// Whether every second boundary node is a mid-side node.
+  [[nodiscard]] bool quadratic() const { return quadratic_; }
+  [[nodiscard]] NodalShares shares(const BoundaryPoint& at) const {
+    return nodal_shares(at, quadratic_, locator_.nodes());
   }
-  /// Upper bound on the Frobenius norm of the change of the stresses due to `force` [N], per unit
-  /// of arc length by which its point moves near `at` [N/m^3].
-  [[nodiscard]] double position_sensitivity(const BoundaryPoint& at, const Vec2& force) const;
-  /// The same for a unit force along any axis [1/m^3].
-  [[nodiscard]] double position_sensitivity(const BoundaryPoint& at) const;
+  /// The `padded_size()` stresses due to a unit force along x at a node, laid out like those of
+  /// ElementStressF32; behind them those of a unit force along y.
+  [[nodiscard]] const float* columns(std::uint32_t node) const {
+    return columns_.data() + std::size_t{node} * 2 * padded_size();
+  }
+  [[nodiscard]] std::size_t padded_size() const { return 3 * stride_; }
 
   [[nodiscard]] std::size_t bytes() const {
-    return sizeof(float) * (columns_.size() + 4 * products_.size() + largest_.size()) +
-           sizeof(Segment) * segments_.size() + areas_.bytes() + locator_.bytes();
+    return sizeof(float) * (columns_.size() + largest_.size() + lengths_.size()) + areas_.bytes() +
+           locator_.bytes();
   }
 
  private:
   static constexpr std::size_t pad = 8;  // elements, for whole vectors of single precision
 
-  [[nodiscard]] const float* column(std::size_t j) const {
-    return columns_.data() + j * 3 * stride_;
-  }
-  [[nodiscard]] AxisForm quadratic_product(const BoundaryPoint& a, const BoundaryPoint& b) const;
-  [[nodiscard]] AxisForm block(std::uint32_t i, std::uint32_t j) const;
-  [[nodiscard]] float stress_product(const float* a, const float* b) const;
-  void sum_products();
-  void find_position_sensitivity(const Mesh& mesh);
-  [[nodiscard]] std::array<float, 3> slopes(std::uint32_t node, std::uint32_t end) const;
-  // Ends of a segment at which the sensitivity differs: the derivative of the stresses is constant
-  // along it, or linear, so that its norm is the largest at an end.
-  [[nodiscard]] std::uint32_t ends() const { return quadratic_ ? 2 : 1; }
-  [[nodiscard]] NodalShares shares(const BoundaryPoint& at) const {
-    return nodal_shares(at, quadratic_, locator_.nodes());
-  }
-
-  // Of boundary, from a node to the next: with the quadratic form of the squared sensitivity.
-  struct Segment {
-    float xx, xy, yy;
-    float position_sensitivity;
-    float length;
-  };
+  void find_largest_norm();
 
   BoundaryLocator locator_;
   bool quadratic_ = false;  // shape functions of the sides
   std::size_t elements_ = 0;
   std::size_t stride_ = 0;
   LargestAreas areas_;
-  std::vector<float> columns_;      // of the components of ElementStressF32
-  std::vector<AxisForm> products_;  // of two nodes each, the lower triangle row by row
-  std::vector<float> largest_;      // component of the two columns of a node
-  std::vector<Segment> segments_;   // one for each of the ends
+  std::vector<float> columns_;  // of the components of ElementStressF32
+  std::vector<float> largest_;  // component of the two columns of a node
+  std::vector<float> lengths_;  // of the boundary from each node to the next
   double largest_norm_ = 0;
 };
 

@@ -72,6 +72,7 @@ class StressBoundScreening::State<BreakagePart, StressPart> {
     std::vector<BoundaryLoad> loads{};
     std::vector<LocatedPoint> points{};
     ElementStressF32 stress{};
+    WeightedInfluence influence{};
   };
   static constexpr std::size_t shares = 16;  // more than the usual number of threads
 
@@ -152,10 +153,13 @@ class StressBoundScreening::State<BreakagePart, StressPart> {
     }
     op.find_stress(work.loads, scale, work.stress);
     const auto [may, stress_margin] = screened(input.breakage.trigger, op.areas(), work);
-    if (may)
+    if (may || work.loads.size() > StressChangeBound::capacity) {
       bounds_[i].clear();
-    else
-      bounds_[i].reset(loads.of(i), work.loads, work.points, rotation, op, stress_margin / scale);
+    } else {
+      work.influence.assign(op, work.loads, work.points, work.screening.factors());
+      bounds_[i].reset(loads.of(i), work.loads, work.points, rotation, work.influence,
+                       stress_margin / scale);
+    }
     (void)bound_excludes_failure(input.particles, loads, i);
     return may;
   }

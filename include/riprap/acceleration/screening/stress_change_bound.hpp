@@ -12,14 +12,14 @@
 
 #include <riprap/acceleration/screening/corner_arc_length.hpp>
 #include <riprap/acceleration/screening/incremental_bound.hpp>
-#include <riprap/acceleration/screening/influence_operator_f32.hpp>
+#include <riprap/acceleration/screening/weighted_influence.hpp>
 #include <riprap/core/linkage.hpp>
 #include <riprap/stress/contact_loads.hpp>
 
 namespace riprap {
 
 /// The loads of one particle at its last evaluation (the reference), in its own frame, and the
-/// Frobenius norm of a change of its stresses below which it need not be evaluated again. By linear
+/// weighted norm of a change of its stresses below which it need not be evaluated again. By linear
 /// superposition the change is that due to the changes of the forces at the reference points, whose
 /// norm is a quadratic form in them, plus the contributions of contacts that moved or are new.
 /// Single precision; margins account for its round-off.
@@ -43,11 +43,11 @@ class StressChangeBound {
   void clear() { limit_ = -1; }
 
   /// Takes the loads, at their boundary points, as the new reference.
-  /// @param limit Frobenius norm of a change of all stresses under which no evaluation is needed
-  /// [Pa]
+  /// @param influence of unit forces there, @param limit weighted norm of a change of all stresses
+  /// under which no evaluation is needed [Pa]
   void reset(std::span<const ContactLoad> loads, std::span<const BoundaryLoad> placed,
              std::span<const LocatedPoint> places, const Rotation& rotation,
-             const InfluenceOperatorF32& op, double limit);
+             const WeightedInfluence& influence, double limit);
 
   /// True if the bound on the change of the stresses under `loads` is within the limit.
   [[nodiscard]] bool within_limit(std::span<const ContactLoad> loads,
@@ -141,7 +141,7 @@ class StressChangeBound {
   }
 
   // The lower triangle of blocks, row by row; blocks off the diagonal count twice.
-  void store_products(std::span<const BoundaryLoad> placed, const InfluenceOperatorF32& op);
+  void store_products(const WeightedInfluence& influence);
 
   [[nodiscard]] float norm_square(const Changes& change) const;
 

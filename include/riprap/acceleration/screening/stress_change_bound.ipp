@@ -11,34 +11,38 @@ RIPRAP_INLINE void StressChangeBound::reset(std::span<const ContactLoad> loads,
                                             std::span<const BoundaryLoad> placed,
                                             std::span<const LocatedPoint> places,
                                             const Rotation& rotation,
-                                            const InfluenceOperatorF32& op, double limit) {
+                                            const WeightedInfluence& influence, double limit) {
   clear();
   if (loads.size() > capacity) return;
   count_ = static_cast<std::uint32_t>(loads.size());
-  largest_norm_ = static_cast<float>(op.largest_norm());
+  largest_norm_ = static_cast<float>(influence.largest_norm());
   double forces = 0;
   for (std::size_t c = 0; c < loads.size(); ++c) {
     const Vec2 arm = rotation.inverse_times(loads[c].arm_lab);
     const Vec2& force = placed[c].force_body;
-    const BoundaryPoint& at = places[c].at;
-    const double valid_radius = reduced(std::min(places[c].valid_radius, op.valid_radius(at)), arm);
+    const PositionSensitivity& position = influence.position_sensitivity(c);
+    const auto reach = static_cast<double>(position.radius);
+    const double valid_radius = reduced(std::min(places[c].valid_radius, reach), arm);
+    const double corner_radius =
+        position.holds_round_corner ? std::min(places[c].corner_radius, reach) : -1;
     contacts_[c] = {.load = LoadSensitivity::single(arm, force),
                     .valid_radius = static_cast<float>(valid_radius),
-                    .position_sensitivity = static_cast<float>(op.position_sensitivity(at, force)),
-                    .unit_sensitivity = static_cast<float>(op.position_sensitivity(at)),
+                    .position_sensitivity = position.force,
+                    .unit_sensitivity = position.unit,
                     .norm_x = 0,  // by store_products
                     .norm_y = 0,
                     .inverse_short_arc = 0,
                     .partner = loads[c].partner};
-    corners_[c] = {places[c], reduced(places[c].corner_radius, arm),
+    corners_[c] = {places[c], reduced(corner_radius, arm),
                    round_off * (std::abs(arm.x()) + std::abs(arm.y()))};
     forces += force.norm();
   }
-  store_products(placed, op);
-  // Arms and forces are rounded to 6e-8 of their size. An arm is up to some twenty node spacings
-  // long, and a force that moves by a node spacing changes the stresses by up to twice the norm.
-  limit_ = static_cast<float>((1 - margin) * limit -
-                              margin * op.shape_factor() * op.largest_norm() * forces);
+  store_products(influence);
+  // Arms, forces and columns are rounded to 6e-8 of their size. An arm is up to some twenty node
+  // spacings long, and a force that moves by a node spacing changes the stresses by up to twice the
+  // norm.
+  limit_ = static_cast<float>((1 - margin) * limit - margin * influence.shape_factor() *
+                                                         influence.largest_norm() * forces);
   // Its square must not underflow.
   if (!(limit_ > 1e-12f)) clear();
 }
@@ -152,20 +156,18 @@ RIPRAP_INLINE void StressChangeBound::find_sensitivities(std::span<const Matched
   for (std::size_t k = 0; k < matched.size(); ++k) sensitivities[k].weights *= scale;
 }
 
-RIPRAP_INLINE void StressChangeBound::store_products(std::span<const BoundaryLoad> placed,
-                                                     const InfluenceOperatorF32& op) {
+RIPRAP_INLINE void StressChangeBound::store_products(const WeightedInfluence& influence) {
   // An error of e n_i n_j in each product changes the form by e sum_ij |g_i n_i g_j n_j| at most,
-  // and so by less than e N sum_i (g_i n_i)^2: put on the diagonal, it is covered. Four times,
-  // for n_i is less between two nodes than at them, and the form is summed in single precision.
-  const double error = op.shape_factor() * InfluenceOperatorF32::product_error;
-  const auto inflated = static_cast<float>(1 + 4 * error * 2 * static_cast<double>(placed.size()));
+  // and so by less than e N sum_i (g_i n_i)^2: put on the diagonal, it is covered. Twice, for the
+  // norms are computed, and the form is summed in single precision.
+  const auto inflated = static_cast<float>(1 + 2 * WeightedInfluence::product_error * 2 * count_);
   FourFloats* block = products_.data();
-  for (std::size_t c = 0; c < placed.size(); ++c) {
+  for (std::size_t c = 0; c < count_; ++c) {
     for (std::size_t d = 0; d < c; ++d) {
-      const AxisForm one = op.product(placed[c].at, placed[d].at);
+      const AxisForm one = influence.product(c, d);
       *block++ = 2 * FourFloats{one.xx, one.xy, one.yx, one.yy};
     }
-    const AxisForm own = op.product(placed[c].at, placed[c].at);
+    const AxisForm own = influence.product(c, c);
     const float x = inflated * own.xx;
     const float y = inflated * own.yy;
     *block++ = FourFloats{x, own.xy, own.yx, y};
