@@ -86,25 +86,6 @@ double RunPlan::stiffness_factor() const { return variation == Variation::stiff_
 
 namespace {
 
-Json motion_json(const riprap::Model<>& model) {
-  const auto& law = model.contact_model.law;
-  return {{"normal_stiffness_N_m", law.normal_stiffness},
-          {"tangential_stiffness_N_m", law.tangential_stiffness},
-          {"friction", law.friction},
-          {"local_damping", model.motion_model.damping.coefficient}};
-}
-
-Json breakage_json(const riprap::Model<>& model, const riprap::HoekBrown& c,
-                   const riprap::StraightCut& splitter) {
-  return {{"compressive_strength_Pa", c.compressive_strength},
-          {"m_b", c.m_b},
-          {"s", c.s},
-          {"a_b", c.a_b},
-          {"minimum_piece_area", splitter.minimum_area},
-          {"maximum_piece_aspect", splitter.maximum_aspect},
-          {"check_every", model.breakage_model.check_every}};
-}
-
 const char* name_of(const riprap::OverlapMoments&) { return "OverlapMoments"; }
 const char* name_of(const riprap::OverlapChord&) { return "OverlapChord"; }
 const char* name_of(const riprap::EnergyConservingSpring&) { return "EnergyConservingSpring"; }
@@ -112,31 +93,38 @@ const char* name_of(const riprap::LinearSpringCoulomb&) { return "LinearSpringCo
 const char* measure_of(const riprap::FailedElementRatio&) { return "elements"; }
 const char* measure_of(const riprap::FailedAreaRatio&) { return "area"; }
 
-// What a preset may choose in another way than Model{}.
 template <class ModelType>
-Json policies_json(const ModelType& model) {
+Json motion_json(const ModelType& model) {
+  const auto& law = model.contact_model.law;
   return {{"narrow_phase", name_of(model.contact_model.narrow_phase)},
-          {"contact_law", name_of(model.contact_model.law)},
-          {"time_step_fraction", model.motion_model.time_step.fraction},
-          {"mesh_triangles", model.stress_model.mesher.triangles},
-          {"nodes_of_triangle", model.stress_model.element.nodes},
-          {"rat_measure", measure_of(model.breakage_model.trigger)},
-          {"ratf", model.breakage_model.trigger.critical}};
+          {"contact_law", name_of(law)},
+          {"normal_stiffness_N_m", law.normal_stiffness},
+          {"tangential_stiffness_N_m", law.tangential_stiffness},
+          {"friction", law.friction},
+          {"local_damping", model.motion_model.damping.coefficient},
+          {"time_step_fraction", model.motion_model.time_step.fraction}};
 }
 
-Json policies_json(Variation variation) {
-  if (variation == Variation::recommended_preset)
-    return policies_json(riprap::presets::recommended());
-  if (variation == Variation::paper_preset)
-    return policies_json(riprap::presets::bagherzadeh_2008());
-  return policies_json(riprap::Model{});
+template <class ModelType>
+Json breakage_json(const ModelType& model) {
+  const auto& breakage = model.breakage_model;
+  return {{"compressive_strength_Pa", breakage.criterion.compressive_strength},
+          {"m_b", breakage.criterion.m_b},
+          {"s", breakage.criterion.s},
+          {"a_b", breakage.criterion.a_b},
+          {"mesh_triangles", model.stress_model.mesher.triangles},
+          {"nodes_of_triangle", model.stress_model.element.nodes},
+          {"rat_measure", measure_of(breakage.trigger)},
+          {"ratf", breakage.trigger.critical},
+          {"minimum_piece_area", breakage.splitter.minimum_area},
+          {"maximum_piece_aspect", breakage.splitter.maximum_aspect},
+          {"check_every", breakage.check_every}};
 }
 
 }  // namespace
 
 Json RunPlan::parameters() const {
   constexpr int layout_of_record = 3;  // of run.json and its pictures: another one, another run
-  const auto model = with_contacts_of(*this, riprap::Model<>{});
   const riprap::Rock rock;
   Json j = {
       {"riprap", riprap::version},
@@ -146,10 +134,18 @@ Json RunPlan::parameters() const {
       {"assembly", assembly_json(assembly())},
       {"test", test_json(test())},
       {"rock",
-       {{"density_kg_m3", rock.density}, {"young_Pa", rock.young}, {"poisson", rock.poisson}}},
-      {"motion", motion_json(model)},
-      {"policies", policies_json(variation)}};
-  if (mode != Mode::nb) j["breakage"] = breakage_json(model, criterion(), splitter());
+       {{"density_kg_m3", rock.density}, {"young_Pa", rock.young}, {"poisson", rock.poisson}}}};
+  const auto add_model = [&](const auto& model) {
+    j["motion"] = motion_json(model);
+    if (mode != Mode::nb) j["breakage"] = breakage_json(model);
+  };
+  if (variation == Variation::recommended_preset)
+    add_model(riprap::presets::recommended());
+  else if (variation == Variation::paper_preset)
+    add_model(riprap::presets::bagherzadeh_2008());
+  else
+    add_model(
+        with_contacts_of(*this, riprap::Model<>{}).criterion(criterion()).splitter(splitter()));
   return j;
 }
 
