@@ -40,10 +40,8 @@ struct NeedsTooMany : FailedCount {
   std::size_t failed_elements_needed(std::size_t) const { return critical + 1; }
 };
 
-struct NeedsTooManyAreas : FailedAreaRatio {
-  std::size_t failed_elements_needed(const LargestAreas& areas) const {
-    return FailedAreaRatio::failed_elements_needed(areas) + 1;
-  }
+struct NeedsTooMuchArea : FailedAreaRatio {
+  double failed_area_needed() const { return 1.1 * critical; }
 };
 
 /// A strength that is `strength` at the first call and changes by `change` with each.
@@ -83,8 +81,8 @@ TEST_CASE("a trigger that is not monotonic, or not repeatable, is reported") {
 TEST_CASE("a trigger that fires with fewer failed elements than are needed is reported") {
   check_violated(trigger_violations(NeedsTooMany{}),
                  "a particle with fewer failed elements than are needed stays whole");
-  check_violated(trigger_violations(NeedsTooManyAreas{}),
-                 "a particle with fewer failed elements than are needed stays whole");
+  check_violated(trigger_violations(NeedsTooMuchArea{}),
+                 "a particle with less failed area than is needed stays whole");
 }
 
 TEST_CASE("a trigger with an impossible strength is reported") {

@@ -38,7 +38,6 @@ template <Trigger T>
     bool broken = false;
     const Mesh mesh = internal::falling_areas(elements);
     const SamplingPoints samples(mesh);
-    const LargestAreas areas(samples);
     double area = 0;
     for (std::size_t e = 0; e < elements; ++e) area += samples.area(e);
     double failed_area = 0;
@@ -55,9 +54,9 @@ template <Trigger T>
       check.holds("a particle without failed elements stays whole", failed > 0 || !breaks);
       check.holds("one more failed element never prevents a break", breaks || !broken);
       check.holds("the same count gives the same answer", trigger(failures) == breaks);
-      if constexpr (ScreenableTrigger<T>)
+      if constexpr (requires { trigger.failed_elements_needed(failed); })
         check.holds("a particle with fewer failed elements than are needed stays whole",
-                    failed >= failed_elements_needed(trigger, areas) || !breaks);
+                    failed >= trigger.failed_elements_needed(elements) || !breaks);
       if constexpr (requires { trigger.failed_area_needed(); })
         check.holds("a particle with less failed area than is needed stays whole",
                     failures.area_ratio() >= trigger.failed_area_needed() || !breaks);

@@ -44,17 +44,8 @@ struct NeededIsNoNumber : archetype::Trigger {
 struct NeededChangesTheElements : archetype::Trigger {
   std::size_t failed_elements_needed(std::size_t&) const { return 1; }
 };
-struct NeededOfAreasIsNotConst : archetype::Trigger {
-  std::size_t failed_elements_needed(const LargestAreas&) { return 1; }
-};
-struct NeededOfAreasIsNoNumber : archetype::Trigger {
-  Vec2 failed_elements_needed(const LargestAreas&) const { return {1, 1}; }
-};
-struct NeededChangesTheAreas : archetype::Trigger {
-  std::size_t failed_elements_needed(LargestAreas&) const { return 1; }
-};
-struct NeededOfAreas : archetype::Trigger {
-  std::size_t failed_elements_needed(const LargestAreas& areas) const { return areas.size(); }
+struct AreaNeeded : archetype::Trigger {
+  double failed_area_needed() const { return 0.4; }
 };
 struct AreaNeededIsNotConst : archetype::Trigger {
   double failed_area_needed() { return 0.4; }
@@ -67,7 +58,7 @@ static_assert(Trigger<archetype::Trigger>);
 static_assert(!Trigger<AreaNeededIsNotConst>);
 static_assert(!Trigger<AreaNeededIsNoNumber>);
 static_assert(!ScreenableTrigger<archetype::Trigger>);
-static_assert(ScreenableTrigger<NeededOfAreas>);
+static_assert(ScreenableTrigger<AreaNeeded>);
 static_assert(!Trigger<NotCallable>);
 static_assert(!Trigger<NotConst>);
 static_assert(!Trigger<DecidesNothing>);
@@ -79,9 +70,6 @@ static_assert(!Trigger<StrengthChangesTheArea>);
 static_assert(!Trigger<NeededIsNotConst>);
 static_assert(!Trigger<NeededIsNoNumber>);
 static_assert(!Trigger<NeededChangesTheElements>);
-static_assert(!Trigger<NeededOfAreasIsNotConst>);
-static_assert(!Trigger<NeededOfAreasIsNoNumber>);
-static_assert(!Trigger<NeededChangesTheAreas>);
 
 }  // namespace
 

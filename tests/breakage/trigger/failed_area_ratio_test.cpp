@@ -62,21 +62,7 @@ TEST_CASE("for equal areas it is the failed-element ratio, and needs as many ele
         CHECK(by_area(count) == by_count(count));
         if (failed < elements) failed_area += mesh.area(failed);
       }
-      CHECK(by_area.failed_elements_needed(LargestAreas(SamplingPoints(mesh))) ==
-            by_count.failed_elements_needed(elements));
     }
-}
-
-TEST_CASE("as many elements are needed as the largest that reach the limit") {
-  const Mesh mesh = strip({1, 2, 3, 4});  // areas in tenths of the whole
-  const LargestAreas areas{SamplingPoints(mesh)};
-  CHECK(FailedAreaRatio{0.39}.failed_elements_needed(areas) == 1);
-  CHECK(FailedAreaRatio{0.4}.failed_elements_needed(areas) == 1);
-  CHECK(FailedAreaRatio{0.41}.failed_elements_needed(areas) == 2);
-  CHECK(FailedAreaRatio{0.7}.failed_elements_needed(areas) == 2);
-  CHECK(FailedAreaRatio{0.9}.failed_elements_needed(areas) == 3);
-  CHECK(FailedAreaRatio{1}.failed_elements_needed(areas) == 4);
-  CHECK(FailedAreaRatio{1.01}.failed_elements_needed(areas) == 5);
 }
 
 TEST_CASE("the limit must be a positive number") {

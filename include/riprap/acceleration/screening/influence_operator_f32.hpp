@@ -14,7 +14,6 @@
 #include <riprap/stress/boundary_load.hpp>
 #include <riprap/stress/boundary_locator.hpp>
 #include <riprap/stress/influence_operator.hpp>
-#include <riprap/stress/largest_areas.hpp>
 #include <riprap/stress/nodal_shares.hpp>
 
 namespace riprap {
@@ -41,7 +40,8 @@ class InfluenceOperatorF32 {
 
   /// Number of sampling points.
   [[nodiscard]] std::size_t elements() const { return elements_; }
-  [[nodiscard]] const LargestAreas& areas() const { return areas_; }
+  /// area_weights of the sampling points.
+  [[nodiscard]] std::span<const float> area_weights() const { return area_weights_; }
   [[nodiscard]] const BoundaryLocator& locator() const { return locator_; }
 
   /// Stresses under `scale` times the loads. Throws InvalidInput for a load that is not on the
@@ -69,8 +69,8 @@ class InfluenceOperatorF32 {
   [[nodiscard]] std::size_t padded_size() const { return 3 * stride_; }
 
   [[nodiscard]] std::size_t bytes() const {
-    return sizeof(float) * (columns_.size() + largest_.size() + lengths_.size()) + areas_.bytes() +
-           locator_.bytes();
+    return sizeof(float) * (columns_.size() + largest_.size() + lengths_.size()) +
+           sizeof(float) * area_weights_.size() + locator_.bytes();
   }
 
  private:
@@ -82,7 +82,7 @@ class InfluenceOperatorF32 {
   bool quadratic_ = false;  // shape functions of the sides
   std::size_t elements_ = 0;
   std::size_t stride_ = 0;
-  LargestAreas areas_;
+  std::vector<float> area_weights_;
   std::vector<float> columns_;  // of the components of ElementStressF32
   std::vector<float> largest_;  // component of the two columns of a node
   std::vector<float> lengths_;  // of the boundary from each node to the next

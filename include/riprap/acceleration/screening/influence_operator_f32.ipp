@@ -8,6 +8,7 @@
 #include <riprap/acceleration/screening/axis_form.hpp>
 #include <riprap/acceleration/screening/influence_operator_f32.hpp>
 #include <riprap/core/simd.hpp>
+#include <riprap/stress/area_weights.hpp>
 
 namespace riprap {
 
@@ -22,7 +23,7 @@ namespace internal {
 RIPRAP_INLINE InfluenceOperatorF32::InfluenceOperatorF32(const InfluenceOperator& op)
     : locator_(op.locator()), quadratic_(!op.mesh().mid_sides.empty()),
       elements_(op.sampling_points().size()), stride_((elements_ + pad - 1) / pad * pad),
-      areas_(op.sampling_points()) {
+      area_weights_(riprap::area_weights(op.sampling_points())) {
   const Eigen::MatrixXd& exact = op.columns();
   const auto count = static_cast<std::size_t>(exact.cols());
   columns_.assign(3 * stride_ * count, 0);

@@ -152,7 +152,7 @@ class StressBoundScreening::State<BreakagePart, StressPart> {
       work.points.push_back(point);
     }
     op.find_stress(work.loads, scale, work.stress);
-    const auto [may, stress_margin] = screened(input.breakage.trigger, op.areas(), work);
+    const auto [may, stress_margin] = screened(input.breakage.trigger, op, work);
     if (may || work.loads.size() > StressChangeBound::capacity) {
       bounds_[i].clear();
     } else {
@@ -166,14 +166,14 @@ class StressBoundScreening::State<BreakagePart, StressPart> {
 
   // Whether the trigger may fire, and below which change of all stresses it does not.
   template <class T>
-  [[nodiscard]] static std::pair<bool, double> screened(const T& trigger, const LargestAreas& areas,
-                                                        Workspace& work) {
+  [[nodiscard]] static std::pair<bool, double>
+  screened(const T& trigger, const InfluenceOperatorF32& op, Workspace& work) {
     if constexpr (requires { trigger.failed_area_needed(); }) {
-      const double needed = trigger.failed_area_needed() * static_cast<double>(areas.size());
-      const ScreeningResult result = work.screening(work.stress, areas.weights(), needed);
+      const double needed = trigger.failed_area_needed() * static_cast<double>(op.elements());
+      const ScreeningResult result = work.screening(work.stress, op.area_weights(), needed);
       return {result.possible > 0, result.stress_margin};
     } else {
-      const std::size_t needed = failed_elements_needed(trigger, areas);
+      const std::size_t needed = trigger.failed_elements_needed(op.elements());
       const ScreeningResult result = work.screening(work.stress, needed);
       return {result.possible >= needed, result.stress_margin};
     }

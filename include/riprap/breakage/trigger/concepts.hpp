@@ -10,7 +10,6 @@
 #include <riprap/breakage/failure/failure_count.hpp>
 #include <riprap/core/ids.hpp>
 #include <riprap/core/policy.hpp>
-#include <riprap/stress/largest_areas.hpp>
 
 namespace riprap {
 
@@ -44,17 +43,8 @@ concept TriggerNeeded = !requires(T& trigger, std::size_t elements) {
   { trigger.failed_elements_needed(elements) } -> std::convertible_to<std::size_t>;
 };
 
-/// Optional, in place of it: `trigger.failed_elements_needed(areas)`, for a trigger that decides
-/// from the failed area: with fewer failed sampling points, whichever they are, it never fires.
-template <class T>
-concept TriggerNeededOfAreas = !requires(T& trigger, LargestAreas& areas) {
-  trigger.failed_elements_needed(areas);
-} || requires(const T& trigger, const LargestAreas& areas) {
-  { trigger.failed_elements_needed(areas) } -> std::convertible_to<std::size_t>;
-};
-
-/// Optional, beside it: `trigger.failed_area_needed()` [-]: with a smaller share of the area it
-/// never fires. Which points have failed then counts in the screening, not their number alone.
+/// Optional, in place of it: `trigger.failed_area_needed()` [-], for a trigger that decides from
+/// the failed area: with a smaller share of it it never fires.
 template <class T>
 concept TriggerAreaNeeded =
     !requires(T& trigger) { trigger.failed_area_needed(); } || requires(const T& trigger) {
@@ -66,27 +56,16 @@ concept TriggerAreaNeeded =
 /// A `Trigger` decides from the failed elements of one evaluation.
 template <class T>
 concept Trigger = Policy<T> && requirements::TriggerCall<T> && requirements::TriggerStrength<T> &&
-                  requirements::TriggerNeeded<T> && requirements::TriggerNeededOfAreas<T> &&
-                  requirements::TriggerAreaNeeded<T>;
+                  requirements::TriggerNeeded<T> && requirements::TriggerAreaNeeded<T>;
 
-/// A trigger that says how many failed elements it needs: its particles can be screened.
+/// A trigger that says how many failed elements, or how much of the area, it needs: its particles
+/// can be screened.
 template <class T>
 concept ScreenableTrigger =
-    Trigger<T> &&
-    (
-        requires(const T& trigger, std::size_t elements) {
-          trigger.failed_elements_needed(elements);
-        } || requires(const T& trigger,
-                      const LargestAreas& areas) { trigger.failed_elements_needed(areas); });
-
-/// The failed elements that a trigger needs in a particle with such sampling points.
-template <ScreenableTrigger T>
-[[nodiscard]] std::size_t failed_elements_needed(const T& trigger, const LargestAreas& areas) {
-  if constexpr (requires { trigger.failed_elements_needed(areas); })
-    return trigger.failed_elements_needed(areas);
-  else
-    return trigger.failed_elements_needed(areas.size());
-}
+    Trigger<T> && (
+                      requires(const T& trigger, std::size_t elements) {
+                        trigger.failed_elements_needed(elements);
+                      } || requires(const T& trigger) { trigger.failed_area_needed(); });
 
 template <class T>
 consteval bool check_trigger() {
@@ -99,9 +78,6 @@ consteval bool check_trigger() {
   static_assert(requirements::TriggerNeeded<T>,
                 "riprap: failed_elements_needed of a Trigger must be std::size_t "
                 "failed_elements_needed(std::size_t elements) const");
-  static_assert(requirements::TriggerNeededOfAreas<T>,
-                "riprap: failed_elements_needed of a Trigger must be std::size_t "
-                "failed_elements_needed(const LargestAreas&) const");
   static_assert(
       requirements::TriggerAreaNeeded<T>,
       "riprap: failed_area_needed of a Trigger must be double failed_area_needed() const");

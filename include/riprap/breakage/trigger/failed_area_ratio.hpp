@@ -16,9 +16,6 @@ struct FailedAreaRatio {
   [[nodiscard]] bool operator()(const FailureCount& failures) const {
     return failures.area_ratio() >= reached();
   }
-  [[nodiscard]] std::size_t failed_elements_needed(const LargestAreas& areas) const {
-    return areas.points_for(reached());
-  }
   [[nodiscard]] double failed_area_needed() const { return reached(); }
   void validate() const { require_positive("FailedAreaRatio.critical", critical); }
 
