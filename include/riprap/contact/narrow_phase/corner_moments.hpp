@@ -57,7 +57,7 @@ struct CornerMoments {
     point_y = lens.enters.y + on_d * d.y + on_e * e.y;
   }
 
-  /// The chord of triangles may be far longer than what conditions are measured by.
+  /// Not if round-off has put both corners on one side of the chord: clipping decides then.
   [[nodiscard, gnu::always_inline]] bool has_digits(std::size_t l) const {
     return lane(opposite, l) > 0;
   }

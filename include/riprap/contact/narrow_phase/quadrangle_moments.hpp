@@ -19,18 +19,18 @@ struct PlaneVector {
 };
 
 /// Of the quadrangle of vertices 1 to 4, counter-clockwise, of which two may be the same; for as
-/// many overlaps as N has lanes. Nothing cancels, however thin it is.
+/// many overlaps as N has lanes. Depths keep their digits, however thin it is.
 template <class N>
 struct QuadrangleMoments {
   PlaneVector<N> d, e;  // diagonals, from vertex 1 to 3 and from 2 to 4
   N twice_area;
-  // From where the diagonals cross to the middle of d and of e, over half their lengths.
+  // From where the diagonals cross to the middle of d and of e, over half their lengths: xi, eta.
   N a, b;
   N dd, de, ee;  // products of the diagonals
   N per_shape;   // A^4 / (432 det S)
   N per_spread;  // A / (72 tr S)
   N slope;       // depth / (2 A)
-  N skew;        // (1 + a) (1 + b) skew: excess of the force's density on side 1-2, over W / A
+  N skew;  // kappa: (1 + a) (1 + b) skew: excess of the force's density on side 1-2, over W / A
 
   /// @param all,at_1,at_2 twice the areas: whole, and cut off by e and d at vertices 1 and 2
   [[gnu::always_inline]] QuadrangleMoments(const PlaneVector<N>& from_1,
