@@ -27,10 +27,10 @@ struct NamedModel {
   BiaxialNumbers (*run)(const Setup&);
 };
 const std::vector<NamedModel> models{
-    {"chord", "OverlapChord, LinearSpringCoulomb, step 0.12 sqrt(m/k_n)", run_chord},
-    {"incremental", "OverlapChord, IncrementalSpring, step 0.12 sqrt(m/k_n)", run_incremental},
-    {"area", "OverlapChord, OverlapAreaSpring, step 0.12 sqrt(m/k_n)", run_area},
-    {"moments", "OverlapMoments, EnergyConservingSpring, step 0.12 sqrt(m/k_n)", run_moments},
+    {"chord", "OverlapChord, LinearSpringCoulomb, MassFloor 0.12", run_chord},
+    {"incremental", "OverlapChord, IncrementalSpring, MassFloor 0.12", run_incremental},
+    {"area", "OverlapChord, OverlapAreaSpring, MassFloor 0.12", run_area},
+    {"moments", "OverlapMoments, EnergyConservingSpring, MassFloor 0.17", run_moments},
 };
 
 struct Options : run_table::RunOptions {
@@ -41,7 +41,7 @@ struct Options : run_table::RunOptions {
 };
 
 run_table::Task task(const NamedModel& model, const Setup& setup, const fs::path& file) {
-  char key[200];
+  char key[160];
   std::snprintf(key, sizeof key, "# %s, %g MPa, seed %llu, %u particles, strain %g",
                 model.description, 1e-6 * setup.pressure,
                 static_cast<unsigned long long>(setup.seed), setup.particles, setup.strain);
