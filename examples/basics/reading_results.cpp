@@ -34,9 +34,9 @@ struct Reader {
   }
   void record_break(const auto& view, const BreakEvent& event) {
     ++breaks;
-    std::printf("  particle %u breaks in the %s stage, Rat %.2f, in %s: pieces %u and %u\n",
+    std::printf("  particle %u breaks in the %s stage, Rat %.2f, in %s, into %.0f and %.0f mm^2\n",
                 event.particle.id, to_text(view.stage), event.failures.ratio(), to_text(event.mode),
-                event.pieces[0], event.pieces[1]);
+                1e6 * event.areas[0], 1e6 * event.areas[1]);
   }
 };
 

@@ -78,30 +78,26 @@ Json numbers_json(const Options& o, const Sim& sim, const riprap::BiaxialResult&
   return j;
 }
 
-// Indices of breakage, and Hardin's if all rock were in pieces of the least area: pieces that are
-// simulated cannot bring it beyond.
+// Indices of breakage, and Hardin's if all rock were in pieces of the least area: the largest value
+// that pieces which are simulated can reach.
 template <class Sim>
 Json grading_json(const Sim& sim) {
   using namespace riprap;
   const Particles& particles = sim.particles();
   const Grading before = grading_before_breakage(particles);
   const Grading after = grading(particles);
-  const double rock = rock_area(particles);
   double dust = 0;
-  for (const DustGrain& grain : particles.dust()) dust += grain.area;
+  for (const DustPiece& piece : particles.dust()) dust += piece.area;
   Json j = {{"d10_m", {before.size_at(0.10), after.size_at(0.10)}},
             {"d50_m", {before.size_at(0.50), after.size_at(0.50)}},
-            {"dust_grains", particles.dust().size()},
-            {"dust_share", dust / rock}};
+            {"dust_pieces", particles.dust().size()},
+            {"dust_share", dust / rock_area(particles)}};
   j.update(indices_json(before, after));
-  if constexpr (Sim::breakable) {
-    auto grains =
-        static_cast<double>(particles.dust().size()) - static_cast<double>(sim.breaks().size());
-    for (const Body& body : particles.bodies()) grains += body.is_free();
-    const double smallest = sim.model().breakage_model.splitter.minimum_area * rock / grains;
-    const Grading least = Grading::of_fractions({{equivalent_diameter(smallest), 1}});
-    j["hardin_b_r_of_smallest_pieces"] = index_json([&] { return hardin_breakage(before, least); });
-  }
+  if constexpr (Sim::breakable)
+    j["hardin_b_r_of_smallest_pieces"] = index_json([&] {
+      const double area = sim.model().breakage_model.splitter.minimum_area * sim.mean_area();
+      return hardin_breakage(before, Grading::of_fractions({{equivalent_diameter(area), 1}}));
+    });
   return j;
 }
 

@@ -70,6 +70,7 @@ struct CutsBeside {
 TEST_CASE("the splitters of riprap obey the axioms") {
   CHECK(to_text(splitter_violations(StraightCut{})) == "");
   CHECK(to_text(splitter_violations(StraightCut{.minimum_area = 0, .maximum_aspect = 1e6})) == "");
+  CHECK(to_text(splitter_violations(StraightCut{.dust = true})) == "");
   CHECK(to_text(splitter_unit_violations(StraightCut{}, StraightCut{})) == "");
   CHECK(to_text(splitter_violations(NoSplit{})) == "");
   CHECK(to_text(splitter_unit_violations(NoSplit{}, NoSplit{})) == "");

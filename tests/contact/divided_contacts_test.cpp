@@ -24,14 +24,14 @@ using ContactOf = Contact<typename Law::History, NoCache>;
 
 // A touching pair with its point at x.
 template <class Law>
-ContactOf<Law> touching(BodyIndex a, BodyIndex b, double x, double tangential) {
+ContactOf<Law> touching(BodyIndex a, BodyIndex b, double x, double tangential, double area = 1e-6) {
   ContactOf<Law> contact;
   contact.a = a;
   contact.b = b;
   contact.touching = true;
   contact.geometry.point = {x, 0};
   contact.geometry.depth = 1e-4;
-  contact.geometry.area = 1e-6;
+  contact.geometry.area = area;
   contact.history.tangential_force = tangential;
   return contact;
 }
@@ -94,7 +94,7 @@ TEST_CASE("without a rule of the law the piece at the point gets the history") {
 TEST_CASE("pieces share a contact by the areas of their overlaps") {
   using Law = EnergyConservingSpring;
   DividedContacts<ContactOf<Law>> divided;
-  record_break(divided, 1, 3, std::vector{touching<Law>(0, 1, -0.5, 100)}, UnboundedDomain{},
+  record_break(divided, 1, 3, std::vector{touching<Law>(0, 1, -0.5, 100, 4e-6)}, UnboundedDomain{},
                right_half);
   Pieces<Law> pieces;
   pieces.add(0, 1, 3e-6);
@@ -123,9 +123,32 @@ TEST_CASE("of a part that is cut off, histories by the point are lost") {
   CHECK(pieces.pairs.at({1, 2}).history.tangential_force == 0);
 }
 
+TEST_CASE("of a contact, one body is cut off and the other breaks, in either order") {
+  using Law = EnergyConservingSpring;
+  for (const bool cut_off_first : {true, false}) {
+    CAPTURE(cut_off_first);
+    DividedContacts<ContactOf<Law>> divided;
+    const auto contact = touching<Law>(0, 1, 0.5, 100, 4e-6);
+    const auto cut = [&] {
+      divided.add(contact);
+      divided.cut_off(0, UnboundedDomain{}, right_half);
+    };
+    if (cut_off_first) cut();
+    record_break(divided, 1, 2, std::vector{contact}, UnboundedDomain{}, right_half);
+    if (!cut_off_first) cut();
+    Pieces<Law> pieces;
+    pieces.add(0, 1, 1e-6);
+    pieces.add(0, 2, 2e-6);
+    divided.hand_over(Law{}, pieces.find());
+    // A quarter of the overlap was with the part that is lost.
+    CHECK(pieces.pairs.at({0, 1}).history.tangential_force == near_relative(25, 1e-14));
+    CHECK(pieces.pairs.at({0, 2}).history.tangential_force == near_relative(50, 1e-14));
+  }
+}
+
 TEST_CASE("of a contact whose bodies both break, four pieces share") {
   using Law = EnergyConservingSpring;
-  const std::vector pairs{touching<Law>(0, 1, 0.5, 100)};
+  const std::vector pairs{touching<Law>(0, 1, 0.5, 100, 1e-5)};
   DividedContacts<ContactOf<Law>> divided;
   record_break(divided, 0, 2, pairs, UnboundedDomain{}, right_half);
   record_break(divided, 1, 3, pairs, UnboundedDomain{}, right_half);
@@ -180,6 +203,14 @@ TEST_CASE("a contact across a periodic cell follows the image of the piece") {
   };
   record_break(divided, 1, 2, std::vector{contact}, domain, note);
   record_break(divided, 0, 3, std::vector{contact}, domain, note);
+  for (const auto& [body, x] : {std::pair{0U, 10.2}, {1U, 0.2}}) {
+    DividedContacts<Periodic> reduced;
+    reduced.add(contact);
+    reduced.cut_off(body, domain, [x = x](const Vec2& point) {
+      CHECK((point - Vec2{x, 0}).norm() <= 1e-14);
+      return true;
+    });
+  }
   std::vector<Periodic> expected;
   divided.hand_over(Law{}, [&](const Periodic& of) -> Periodic* {
     expected.push_back(of);

@@ -49,6 +49,25 @@ TEST_CASE("a break is no displacement, and the pieces count by their areas") {
   CHECK((moves[0].to - first).y() == near(0.004 * share, 1e-16));
 }
 
+TEST_CASE("dust stays where it broke off") {
+  BrokenSample sample;
+  IncrementalDisplacement movement;
+  movement.begin(sample.particles());
+  const Vec2 first = sample.particles().body(0).position;
+  sample.move(0, {0.003, 0});
+  BreakEvent event = sample.split(0);
+  // As if the left piece were dust, and no longer there.
+  Particles rest(0.016, 2500);
+  Ancestry parent = event.particle;
+  const Ring ring = sample.particles().ring(2);
+  rest.add(ConvexPolygon{std::vector<Vec2>(ring.begin(), ring.end())}, Motion::free, &parent);
+  event.pieces = {no_particle, rest.ancestry(0).id};
+  movement.record_break(sample.view(), event);
+  CHECK((movement.moves(rest)[0].to - first - Vec2{0.003, 0}).norm() <= 1e-16);
+  rest.body(0).position += Vec2{0, 0.004};
+  CHECK((movement.moves(rest)[0].to - first - Vec2{0.003, 0.65 * 0.004}).norm() <= 1e-16);
+}
+
 TEST_CASE("pieces of pieces belong to the particle there was at the beginning") {
   BrokenSample sample;
   IncrementalDisplacement movement;

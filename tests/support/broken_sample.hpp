@@ -51,6 +51,7 @@ class BrokenSample {
     event.line = line;
     event.pieces = {particles_.ancestry(i).id, particles_.ancestry(second).id};
     event.areas = {particles_.shape(i).area, particles_.shape(second).area};
+    event.centroids = {particles_.body(i).position, particles_.body(second).position};
     return event;
   }
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <vector>
 
-#include "break_place.hpp"
 #include "plan.hpp"
 #include "shear_bands.hpp"
 
@@ -38,7 +37,7 @@ class BandRecord {
   void record_break(const riprap::BiaxialView<Sim>& view, const riprap::BreakEvent& event) {
     movement_.record_break(view, event);
     if (view.stage != riprap::Stage::shear) return;
-    waiting_.push_back(break_place(view, event));
+    waiting_.push_back(event.place().cwiseQuotient(view.stretch));
   }
 
   // Adds its part to a run.json that has its breaks already.

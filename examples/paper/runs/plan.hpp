@@ -39,7 +39,7 @@ struct RunPlan {
   [[nodiscard]] riprap::StraightCut splitter() const;
   // Of contacts, over the default.
   [[nodiscard]] double stiffness_factor() const;
-  // Everything the result depends on.
+  // A run whose folder has others is made again.
   [[nodiscard]] Json parameters() const;
   // About how long it takes, compaction and relaxation apart from the rest [any unit].
   [[nodiscard]] double work_before() const;

@@ -13,7 +13,6 @@
 #include <riprap/experiment/curve.hpp>
 #include <riprap/experiment/incremental_displacement.hpp>
 
-#include "break_place.hpp"
 #include "plan.hpp"
 
 namespace study {
@@ -51,7 +50,7 @@ class RunRecord {
   template <class Sim>
   void record_break(const riprap::BiaxialView<Sim>& view, const riprap::BreakEvent& event) {
     movement_.record_break(view, event);
-    const riprap::Vec2 place = break_place(view, event) / radius_;
+    const riprap::Vec2 place = event.place().cwiseQuotient(view.stretch) / radius_;
     breaks_.push_back({{"stage", riprap::to_text(view.stage)},
                        {"axial_strain", view.axial_strain()},
                        {"radius_share", place.norm()},

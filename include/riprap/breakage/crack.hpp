@@ -30,6 +30,8 @@ struct Crack {
   double length = 0;                       ///< [m]
   CutRings pieces;
   std::array<bool, 2> is_dust{false, false};  ///< left, right: counted, no longer simulated
+
+  [[nodiscard]] bool leaves_dust() const { return is_dust[0] || is_dust[1]; }
 };
 
 /// Failed sampling points of the elements with their weights 1/SF, areas and stresses, in

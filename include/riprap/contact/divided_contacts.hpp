@@ -27,7 +27,7 @@ class DividedContacts {
   void add(const ContactType& contact) {
     if (is_recorded(contact)) return;
     parts_.push_back({contact, static_cast<std::uint32_t>(wholes_.size())});
-    wholes_.push_back({contact.history});
+    wholes_.push_back({contact.history, contact.geometry.area});
   }
 
   /// The particle at `parent`, all of whose contacts have been added, has lost a part.
@@ -69,17 +69,14 @@ class DividedContacts {
   /// @param find returns the pair with the bodies and image of another one
   template <class Law, class Find>
   void hand_over(const Law& law, Find&& find) {
-    for (Part& part : parts_) {
-      part.pair = find(part.contact);
-      if (part.pair) wholes_[part.whole].overlap += part.pair->geometry.area;
-    }
     for (const Part& part : parts_) {
-      if (!part.pair) continue;
+      ContactType* const pair = find(part.contact);
+      if (!pair) continue;
       const Whole& whole = wholes_[part.whole];
-      const ContactGeometry& now = part.pair->geometry;
-      const double share = whole.overlap > 0 ? now.area / whole.overlap : 0;
-      part.pair->history =
-          divided_history(law, whole.history, part.contact.geometry, {now, share, part.has_point});
+      const double share =
+          whole.overlap > 0 ? std::min(1.0, pair->geometry.area / whole.overlap) : 0;
+      pair->history = divided_history(law, whole.history, part.contact.geometry,
+                                      {pair->geometry, share, part.has_point});
     }
     parts_.clear();
     wholes_.clear();
@@ -89,14 +86,13 @@ class DividedContacts {
   // The contact that a particle had before it broke.
   struct Whole {
     History history;
-    double overlap = 0;  // of all pieces together, now [m^2]
+    double overlap = 0;  // [m^2]
   };
   // Its bodies, image and point for one of the pieces, which may not touch.
   struct Part {
     ContactType contact;
     std::uint32_t whole = 0;
     bool has_point = true;
-    ContactType* pair = nullptr;
   };
 
   // The contact's point where `body` is, and not its image.

@@ -39,21 +39,10 @@ class DisplacementPaths {
   void record_break(const BiaxialView<Sim>& view, const BreakEvent& event) {
     if (paths_.empty()) return;  // a break before shear
     const Particles& particles = view.sim.particles();
-    std::vector<BodyIndex> pieces;
-    Vec2 sum{0, 0};
-    double area = 0;
+    path(event.particle).points.push_back(event.place());
     for (BodyIndex i = 0; i < particles.size(); ++i) {
       if (particles.ancestry(i).parent != event.particle.id) continue;
-      pieces.push_back(i);
-      sum += particles.shape(i).area * particles.body(i).position;
-      area += particles.shape(i).area;
-    }
-    // Pieces have not moved yet, so together they still have the centroid of their parent, less
-    // what has become dust.
-    const Vec2 centroid = sum / area;
-    path(event.particle).points.push_back(centroid);
-    for (const BodyIndex i : pieces) {
-      path(particles.ancestry(i)).branch = centroid;
+      path(particles.ancestry(i)).branch = event.place();
       path(particles.ancestry(i)).points.push_back(particles.body(i).position);
     }
   }

@@ -20,7 +20,8 @@ struct Move {
 };
 
 /// An observer of BiaxialTest that follows all particles there are at `begin`. Of one that breaks
-/// it follows all pieces: together they have one centroid. Platens do not count.
+/// it follows all pieces: together they have one centroid, for which dust stays where it broke off.
+/// Platens do not count.
 class IncrementalDisplacement {
  public:
   /// From now on, from here.
@@ -32,19 +33,27 @@ class IncrementalDisplacement {
       start_of(particles.ancestry(i).id) = starts_.size();
       starts_.push_back({particles.body(i).position, {0, 0}, particles.body(i).is_free()});
     }
+    dust_areas_.assign(starts_.size(), 0);
   }
 
   template <class Sim>
   void record_break(const BiaxialView<Sim>& /*view*/, const BreakEvent& event) {
     const std::size_t start = start_of(event.particle.id);
-    for (const ParticleId piece : event.pieces)
-      if (piece != no_particle) start_of(piece) = start;
+    if (start == unknown) return;
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (event.pieces[k] != no_particle) {
+        start_of(event.pieces[k]) = start;
+        continue;
+      }
+      starts_[start].to += event.areas[k] * event.centroids[k];
+      dust_areas_[start] += event.areas[k];
+    }
   }
 
   /// Of all particles there were at `begin`, in the order of the bodies then.
   [[nodiscard]] std::vector<Move> moves(const Particles& particles) const {
     std::vector<Move> out = starts_;
-    std::vector<double> areas(out.size(), 0);
+    std::vector<double> areas = dust_areas_;
     for (BodyIndex i = 0; i < particles.size(); ++i) {
       const ParticleId id = particles.ancestry(i).id;
       if (id >= start_of_.size() || start_of_[id] == unknown) continue;
@@ -64,7 +73,8 @@ class IncrementalDisplacement {
     return start_of_[id];
   }
 
-  std::vector<Move> starts_;           // without end positions
+  std::vector<Move> starts_;  // to: of dust, times its area
+  std::vector<double> dust_areas_;
   std::vector<std::size_t> start_of_;  // by particle id: its place in starts_
 };
 

@@ -89,7 +89,7 @@ RIPRAP_INLINE Grading grading(const Particles& particles) {
   const auto add = [&](double area) { fractions.push_back({equivalent_diameter(area), area}); };
   for (BodyIndex i = 0; i < particles.size(); ++i)
     if (particles.body(i).is_free()) add(particles.shape(i).area);
-  for (const DustGrain& grain : particles.dust()) add(grain.area);
+  for (const DustPiece& piece : particles.dust()) add(piece.area);
   return Grading::of_fractions(std::move(fractions));
 }
 
@@ -97,7 +97,7 @@ RIPRAP_INLINE Grading grading_before_breakage(const Particles& particles) {
   std::map<ParticleId, double> roots;  // areas
   for (BodyIndex i = 0; i < particles.size(); ++i)
     if (particles.body(i).is_free()) roots[particles.ancestry(i).root] += particles.shape(i).area;
-  for (const DustGrain& grain : particles.dust()) roots[grain.root] += grain.area;
+  for (const DustPiece& piece : particles.dust()) roots[piece.root] += piece.area;
   std::vector<SizeFraction> fractions;
   for (const auto& [id, area] : roots) fractions.push_back({equivalent_diameter(area), area});
   return Grading::of_fractions(std::move(fractions));

@@ -8,7 +8,7 @@
 namespace riprap {
 
 /// A piece too small to be simulated: part of the rock and of the grading, without place or force.
-struct DustGrain {
+struct DustPiece {
   ParticleId root = no_particle;  ///< the intact particle it was once part of
   double area = 0;                ///< [m^2]
 };

@@ -61,7 +61,7 @@ class Particles {
 
   /// Counts a piece of `area` [m^2] of a particle that breaks, which is not simulated.
   void add_dust(const Ancestry& parent, double area) { dust_.push_back({parent.root, area}); }
-  [[nodiscard]] const std::vector<DustGrain>& dust() const { return dust_; }
+  [[nodiscard]] const std::vector<DustPiece>& dust() const { return dust_; }
 
   /// Brings the laboratory vertices of particle i to its pose.
   void update_ring(BodyIndex i) {
@@ -91,7 +91,7 @@ class Particles {
   std::vector<Body> bodies_;
   std::vector<ParticleShape> shapes_;
   std::vector<Ancestry> ancestries_;
-  std::vector<DustGrain> dust_;
+  std::vector<DustPiece> dust_;
   std::vector<Vec2> local_;
   std::vector<Vec2> placed_;
   std::size_t dead_vertices_ = 0;

@@ -22,7 +22,13 @@ struct BreakEvent {
   Line line;                               ///< the crack, in laboratory coordinates
   std::array<ParticleId, 2> pieces{no_particle, no_particle};  ///< left, right; no_particle: dust
   std::array<double, 2> areas{0, 0};                           ///< [m^2]
+  std::array<Vec2, 2> centroids{Vec2{0, 0}, Vec2{0, 0}};       ///< laboratory coordinates [m]
   double crack_length = 0;  ///< [m]; times the thickness, the area of the crack
+
+  /// Centroid of the particle that broke [m].
+  [[nodiscard]] Vec2 place() const {
+    return (areas[0] * centroids[0] + areas[1] * centroids[1]) / (areas[0] + areas[1]);
+  }
 };
 
 }  // namespace riprap

@@ -44,7 +44,8 @@ struct BreakageStage<ModelType> {
         model.execution_policy};
     const BreakagePass::Cracks& cracks = pass.find(input, screening, on_phase_end);
     for (const auto& [i, crack] : cracks)
-      piece_limit.add_break(model.breakage_model.splitter, particles.ancestry(i));
+      if (!crack.leaves_dust())
+        piece_limit.add_break(model.breakage_model.splitter, particles.ancestry(i));
     return cracks;
   }
   /// Another particle has index i now.

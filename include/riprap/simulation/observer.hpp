@@ -117,7 +117,7 @@ inline constexpr auto before_splits = []<class O, class Sim>(O& observer, const 
                   requires(Sim& other) { observer.before_splits(other); }>();
 };
 
-/// One particle has become two; `event` is a BreakEvent.
+/// One particle has become two, or one and dust; `event` is a BreakEvent.
 inline constexpr auto on_break = []<class O, class Sim>(O& observer, const Sim& sim,
                                                         const auto& event) {
   if constexpr (requires { observer.on_break(sim, event); })

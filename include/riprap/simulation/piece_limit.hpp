@@ -12,7 +12,7 @@
 
 namespace riprap {
 
-/// Counts the pieces of every intact particle.
+/// Counts the pieces of every intact particle, but for dust.
 class PieceLimit {
  public:
   /// The particle is about to become two pieces. Throws SimulationError, naming the particle, if

@@ -14,7 +14,7 @@
 namespace riprap {
 
 /// The left piece takes the place of particle i, the right one is new; where one of them is dust,
-/// the other takes the place. Fills ids and areas of the event in.
+/// the other takes the place. Fills ids, areas and centroids of the event in.
 /// @param smallest_mass of the intact particles [kg], by which masses are scaled
 /// @return the index of the new piece; i, if there is none
 template <class ModelType>
@@ -26,9 +26,11 @@ BodyIndex replace_by_pieces(const ModelType& model, double smallest_mass, const 
   bool has_place = true;  // not taken yet
   for (std::size_t k = 0; k < 2; ++k) {
     const std::vector<Vec2>& ring = k == 0 ? crack.pieces.left : crack.pieces.right;
+    const AreaProperties properties = area_properties(ring);
+    event.areas[k] = properties.area;
+    event.centroids[k] = properties.centroid;
     if (crack.is_dust[k]) {
-      event.areas[k] = polygon_area(ring);
-      particles.add_dust(ancestry, event.areas[k]);
+      particles.add_dust(ancestry, properties.area);
       continue;
     }
     const ConvexPolygon piece{ring};
@@ -41,7 +43,6 @@ BodyIndex replace_by_pieces(const ModelType& model, double smallest_mass, const 
     model.breakage_model.inheritance(parent, body);
     body.mass_scaling = model.motion_model.time_step.mass_scaling(body.mass, smallest_mass);
     event.pieces[k] = particles.ancestry(index).id;
-    event.areas[k] = particles.shape(index).area;
   }
   return index;
 }

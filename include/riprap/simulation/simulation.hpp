@@ -260,10 +260,11 @@ class Simulation {
                      .crack_length = crack.length};
     const BodyIndex second = replace_by_pieces(model_, smallest_mass_, crack, i, particles_, event);
     const auto on_right = [&](const Vec2& x) { return crack.line.left_distance(x) < 0; };
-    if (second != i)
-      contacts_.divide(i, second, on_right);
+    const auto on_dust = [&](const Vec2& x) { return crack.is_dust[on_right(x) ? 1 : 0]; };
+    if (crack.leaves_dust())
+      contacts_.cut_off(i, on_dust);
     else
-      contacts_.cut_off(i, [&](const Vec2& x) { return on_right(x) == crack.is_dust[1]; });
+      contacts_.divide(i, second, on_right);
     breakage_.forget(i);
     breaks_.push_back(event);
   }

@@ -34,14 +34,13 @@ concept SplitterMaximumPieces =
     };
 
 /// Optional: `splitter.is_dust(piece, mean_area)`, whether a piece is counted and no longer
-/// simulated. It takes its mass, momentum and energy with it; of a particle that would leave
-/// nothing else the cut counts as refused.
+/// simulated. It takes its mass, momentum and energy with it. If both pieces are dust, the cut is
+/// refused.
 template <class S>
-concept SplitterDust = !requires(S& splitter, Ring& piece, double& mean_area) {
-  splitter.is_dust(piece, mean_area);
-} || requires(const S& splitter, const Ring piece, const double mean_area) {
-  { splitter.is_dust(piece, mean_area) } -> std::convertible_to<bool>;
-};
+concept SplitterDust = !requires { &S::is_dust; } ||
+                       requires(const S& splitter, const Ring piece, const double mean_area) {
+                         { splitter.is_dust(piece, mean_area) } -> std::convertible_to<bool>;
+                       };
 
 }  // namespace requirements
 

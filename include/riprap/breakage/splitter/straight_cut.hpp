@@ -10,28 +10,26 @@
 namespace riprap {
 
 /// Cuts along the line unless a piece would be too small, too slender, or no ConvexPolygon (65
-/// vertices, a corner that round-off makes straight). Without the rule pieces
-/// break again and again under the same load and energy appears from slivers crossed by neighbours;
-/// the rule sets the count of breaks, so it is stated with every result.
+/// vertices, a corner that round-off makes straight). Without the rule pieces break again and again
+/// under the same load and energy appears from slivers crossed by neighbours; the rule sets the
+/// count of breaks, so it is stated with every result. With `dust` a piece that is too small breaks
+/// off: it is counted, in the grading for one, and no longer simulated.
 struct StraightCut {
   double minimum_area = 0.08;  ///< of a piece, over the mean area of the intact particles [-]
   double maximum_aspect = 3;   ///< of a piece, diameter over least width [-]
   /// Of one intact particle; a break beyond them ends the run with a SimulationError. The default
   /// areas allow 21 for a particle of 1.3 times the mean diameter.
   unsigned maximum_pieces = 100;
-  /// Whether a cut off piece below the least area becomes dust, in place of a refusal: counted in
-  /// the grading, but no longer simulated.
   bool dust = false;
 
   [[nodiscard]] std::optional<CutRings> operator()(Ring ring, const Line& line,
                                                    double mean_area) const {
     std::optional<CutRings> parts = cut(ring, line, snap);
-    if (!parts) return std::nullopt;
-    const bool left = is_dust(parts->left, mean_area);
-    const bool right = is_dust(parts->right, mean_area);
-    const bool cuts = !(left && right) && (left || acceptable(parts->left, mean_area)) &&
-                      (right || acceptable(parts->right, mean_area));
-    return cuts ? parts : std::nullopt;
+    const auto allowed = [&](Ring piece) {
+      return is_dust(piece, mean_area) || acceptable(piece, mean_area);
+    };
+    if (parts && allowed(parts->left) && allowed(parts->right)) return parts;
+    return std::nullopt;
   }
 
   [[nodiscard]] bool is_dust(Ring piece, double mean_area) const {

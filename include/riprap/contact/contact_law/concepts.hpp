@@ -29,7 +29,7 @@ struct ContactForce {
 /// A contact of a piece of a particle that has just broken.
 struct DividedContact {
   const ContactGeometry& geometry;
-  double share = 1;       ///< of its overlap in those of all contacts that replace the old one [-]
+  double share = 1;       ///< of its overlap in that of the old contact [-]
   bool has_point = true;  ///< the piece on whose side the contact of the particle acted
 };
 

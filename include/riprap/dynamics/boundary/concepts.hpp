@@ -35,9 +35,9 @@ concept SampleBoundaryRate = requires(B& boundary) { boundary.set_rate(0.0, 0.0)
 
 /// `boundary.region(particles)`: the sample as it stands, read at once: `.area()` [m^2], which
 /// shrinks at the sum of the two rates, `.semi_axes()` along axes 1 and 2 [m], `.solid_area()` of
-/// rock in it [m^2], `.lost()`, how many free particles have left it. Const: observers call it,
-/// too. Optional: `.centre()` [m], the point that its strain leaves where it is; without it, the
-/// origin.
+/// rock in it, dust included [m^2], `.lost()`, how many free particles have left it. Const:
+/// observers call it, too. Optional: `.centre()` [m], the point that its strain leaves where it is;
+/// without it, the origin.
 template <class B>
 concept SampleBoundaryRegion = requires(const B& boundary, const Particles& particles) {
   { boundary.region(particles).area() } -> std::convertible_to<double>;
@@ -124,7 +124,7 @@ inline void refuse_motion(const Particles& particles, Motion motion, std::string
   double sum = 0;
   for (BodyIndex i = 0; i < particles.size(); ++i)
     if (particles.body(i).is_free()) sum += particles.shape(i).area;
-  for (const DustGrain& grain : particles.dust()) sum += grain.area;
+  for (const DustPiece& piece : particles.dust()) sum += piece.area;
   return sum;
 }
 
