@@ -53,10 +53,6 @@ inline Json criterion_json(const AnyCriterion& criterion) {
   return std::visit([](const auto& c) { return criterion_json(c); }, criterion.chosen);
 }
 
-// RatF is of a measure.
-inline const char* rat_measure(const riprap::FailedElementRatio&) { return "elements"; }
-inline const char* rat_measure(const riprap::FailedAreaRatio&) { return "area"; }
-
 template <class Law>
 Json springs_json(const char* name, const Law& law) {
   return {{"law", name},

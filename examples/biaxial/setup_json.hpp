@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <riprap/breakage/trigger/failed_area_ratio.hpp>
+#include <riprap/breakage/trigger/failed_element_ratio.hpp>
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/particle/random_placement.hpp>
 
@@ -35,3 +37,7 @@ inline nlohmann::ordered_json test_json(const riprap::BiaxialTest& t) {
           {"confinement_tolerance", t.confinement_tolerance},
           {"most_steps", t.most_steps}};
 }
+
+// RatF is of a measure.
+inline const char* rat_measure(const riprap::FailedElementRatio&) { return "elements"; }
+inline const char* rat_measure(const riprap::FailedAreaRatio&) { return "area"; }

@@ -86,12 +86,10 @@ Json grading_json(const Sim& sim) {
   const Particles& particles = sim.particles();
   const Grading before = grading_before_breakage(particles);
   const Grading after = grading(particles);
-  double dust = 0;
-  for (const DustPiece& piece : particles.dust()) dust += piece.area;
   Json j = {{"d10_m", {before.size_at(0.10), after.size_at(0.10)}},
             {"d50_m", {before.size_at(0.50), after.size_at(0.50)}},
             {"dust_pieces", particles.dust().size()},
-            {"dust_share", dust / rock_area(particles)}};
+            {"dust_share", particles.dust_area() / rock_area(particles)}};
   j.update(indices_json(before, after));
   if constexpr (Sim::breakable)
     j["hardin_b_r_of_smallest_pieces"] = index_json([&] {

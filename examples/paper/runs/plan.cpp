@@ -90,8 +90,6 @@ const char* name_of(const riprap::OverlapMoments&) { return "OverlapMoments"; }
 const char* name_of(const riprap::OverlapChord&) { return "OverlapChord"; }
 const char* name_of(const riprap::EnergyConservingSpring&) { return "EnergyConservingSpring"; }
 const char* name_of(const riprap::LinearSpringCoulomb&) { return "LinearSpringCoulomb"; }
-const char* measure_of(const riprap::FailedElementRatio&) { return "elements"; }
-const char* measure_of(const riprap::FailedAreaRatio&) { return "area"; }
 
 template <class ModelType>
 Json motion_json(const ModelType& model) {
@@ -114,7 +112,7 @@ Json breakage_json(const ModelType& model) {
           {"a_b", breakage.criterion.a_b},
           {"mesh_triangles", model.stress_model.mesher.triangles},
           {"nodes_of_triangle", model.stress_model.element.nodes},
-          {"rat_measure", measure_of(breakage.trigger)},
+          {"rat_measure", rat_measure(breakage.trigger)},
           {"ratf", breakage.trigger.critical},
           {"minimum_piece_area", breakage.splitter.minimum_area},
           {"maximum_piece_aspect", breakage.splitter.maximum_aspect},

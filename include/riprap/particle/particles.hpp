@@ -62,6 +62,11 @@ class Particles {
   /// Counts a piece of `area` [m^2] of a particle that breaks, which is not simulated.
   void add_dust(const Ancestry& parent, double area) { dust_.push_back({parent.root, area}); }
   [[nodiscard]] const std::vector<DustPiece>& dust() const { return dust_; }
+  [[nodiscard]] double dust_area() const {  ///< [m^2]
+    double sum = 0;
+    for (const DustPiece& piece : dust_) sum += piece.area;
+    return sum;
+  }
 
   /// Brings the laboratory vertices of particle i to its pose.
   void update_ring(BodyIndex i) {

@@ -4,7 +4,6 @@
 /// The influence operator (influence matrix) in single precision with an error bound, for
 /// screening.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -33,7 +33,7 @@ struct StraightCut {
   }
 
   [[nodiscard]] bool is_dust(Ring piece, double mean_area) const {
-    return dust && area_properties(piece).area < minimum_area * mean_area;
+    return dust && polygon_area(piece) < minimum_area * mean_area;
   }
 
   void validate() const {
@@ -48,8 +48,8 @@ struct StraightCut {
   static constexpr double snap = 1e-3;
 
   [[nodiscard]] bool acceptable(Ring piece, double mean_area) const {
-    return area_properties(piece).area >= minimum_area * mean_area &&
-           aspect(piece) <= maximum_aspect && try_convex_polygon({piece.begin(), piece.end()});
+    return polygon_area(piece) >= minimum_area * mean_area && aspect(piece) <= maximum_aspect &&
+           try_convex_polygon({piece.begin(), piece.end()});
   }
 };
 

@@ -121,10 +121,9 @@ inline void refuse_motion(const Particles& particles, Motion motion, std::string
 
 /// Area of the free particles and of dust, which stays in the pores [m^2].
 [[nodiscard]] inline double rock_area(const Particles& particles) {
-  double sum = 0;
+  double sum = particles.dust_area();
   for (BodyIndex i = 0; i < particles.size(); ++i)
     if (particles.body(i).is_free()) sum += particles.shape(i).area;
-  for (const DustPiece& piece : particles.dust()) sum += piece.area;
   return sum;
 }
 
