@@ -27,6 +27,7 @@ configure_file(cmake/riprapConfig.cmake.in ${generated}/riprapConfig.cmake @ONLY
 write_basic_package_version_file(${generated}/riprapConfigVersion.cmake
                                  COMPATIBILITY SameMinorVersion ${arch_independent})
 install(FILES ${generated}/riprapConfig.cmake ${generated}/riprapConfigVersion.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/riprap_hdf5.cmake
         DESTINATION ${package_dir})
 
 # The way back from riprap.pc to the prefix. A directory given as an absolute path stays as it is.

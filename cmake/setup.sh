@@ -16,6 +16,7 @@ libraries=(
   "libboost-dev|boost/version.hpp|Boost 1.74 (headers)"
   "libcli11-dev|CLI/CLI.hpp|CLI11"
   "nlohmann-json3-dev|nlohmann/json.hpp|nlohmann-json 3"
+  "libhdf5-dev|hdf5/serial/hdf5.h hdf5.h|HDF5 (C library)"
 )
 
 # Debian package | command or file that shows it is there | name

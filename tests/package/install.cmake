@@ -23,6 +23,7 @@ file(GLOB_RECURSE wanted RELATIVE ${source} ${source}/include/*.hpp ${source}/in
 list(APPEND wanted
      share/cmake/riprap/riprapConfig.cmake share/cmake/riprap/riprapConfigVersion.cmake
      share/cmake/riprap/riprapTargets-release.cmake share/cmake/riprap/riprapTargets.cmake
+     share/cmake/riprap/riprap_hdf5.cmake
      lib/libriprap_compiled.a share/doc/riprap/LICENSE share/pkgconfig/riprap.pc)
 file(GLOB_RECURSE files RELATIVE ${prefix} ${prefix}/*)
 list(SORT files)

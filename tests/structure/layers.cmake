@@ -2,7 +2,7 @@
 # Includes run downwards only: a header may include its own layer and those before it in this list.
 # Outside the layers there is riprap.hpp alone, for users: none of them includes it.
 set(layers core material geometry particle contact dynamics stress breakage acceleration measurement
-           simulation experiment output conformance)
+           simulation experiment output checkpoint conformance)
 
 get_filename_component(include ${CMAKE_CURRENT_LIST_DIR}/../../include ABSOLUTE)
 file(GLOB_RECURSE headers RELATIVE ${include} ${include}/riprap/*.hpp ${include}/riprap/*.ipp)

@@ -47,6 +47,8 @@ class BreakagePass {
     return cracks_;
   }
 
+  static void for_each_field(auto& self, auto&& visit) { visit("refused_cuts", self.refused_); }
+
  private:
   // Evaluates particle i and stores its crack, or that its cut was refused.
   template <class Input>

@@ -38,10 +38,17 @@ class RefusedCuts {
     return refusal.active;
   }
 
+  static void for_each_field(auto& self, auto&& visit) { visit("refusals", self.refusals_); }
+
  private:
   struct Refusal {
     bool active = false;
     std::uint64_t partners = 0;
+
+    static void for_each_field(auto& self, auto&& visit) {
+      visit("active", self.active);
+      visit("partners", self.partners);
+    }
   };
   std::vector<Refusal> refusals_;
 };

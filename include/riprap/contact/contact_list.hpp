@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -22,6 +23,7 @@
 #include <riprap/contact/pair/contact.hpp>
 #include <riprap/contact/pair/pair_list.hpp>
 #include <riprap/contact/pair/task_partition.hpp>
+#include <riprap/core/errors.hpp>
 #include <riprap/core/step_phase.hpp>
 #include <riprap/particle/domain.hpp>
 
@@ -160,7 +162,50 @@ class ContactList {
     divided_.cut_off(parent, domain_, of_lost);
   }
 
+  /// Pairs apart, and what the neighbour list and the detection keep, are found anew by `restore`.
+  template <class Self>
+  static void for_each_field(Self& self, auto&& visit) {
+    visit("law", self.law_);
+    visit("domain", self.domain_);
+    visit("friction_loss", self.friction_loss_);
+    visit("viscous_loss", self.viscous_loss_);
+    if constexpr (std::is_const_v<Self>) {
+      std::vector<ContactType> touching;
+      self.for_each_touching([&](const ContactType& c) { touching.push_back(c); });
+      visit("touching", std::as_const(touching));
+    } else {
+      visit("touching", self.restored_);
+    }
+  }
+  /// After the fields have been written: lists for the poses of the particles, without evaluating a
+  /// contact. Throws InvalidInput for a contact of bodies that are far apart.
+  void restore(const Particles& particles) {
+    list_.clear();
+    list_state_ = ListState{};
+    detection_ = {};
+    rebuild(particles);
+    for (const ContactType& contact : restored_) {
+      ContactType* const pair = list_.find(contact);
+      if (!pair)
+        throw InvalidInput("contact of the bodies " + std::to_string(contact.a) + " and " +
+                           std::to_string(contact.b) + ": they are not neighbours");
+      *pair = contact;
+    }
+    restored_ = {};
+    for (ContactTask& task : tasks_) list_touching(task);
+  }
+
  private:
+  // From the pairs' own flags.
+  void list_touching(ContactTask& task) {
+    task.crossing.clear();
+    for (std::size_t k = task.first_pair; k < task.last_pair; ++k) {
+      if (!pairs()[k].touching) continue;
+      touching_[task.first_pair + task.touching++] = static_cast<std::uint32_t>(k);
+      if (pairs()[k].crosses_boundary) task.crossing.push_back(static_cast<std::uint32_t>(k));
+    }
+  }
+
   // Of a particle that has broken.
   void record_contacts(BodyIndex parent) {
     for (std::size_t k = 0; k < list_.size(); ++k) {
@@ -218,6 +263,7 @@ class ContactList {
   PairList<ContactType> list_;
   DividedContacts<ContactType> divided_;
   std::vector<ContactTask> tasks_;
+  std::vector<ContactType> restored_;    // touching pairs, from `for_each_field` to `restore`
   std::vector<std::uint32_t> touching_;  // of each task, from the index of its first pair on
   double smallest_area_ = 0;             // of a particle [m^2]
   double friction_loss_ = 0;

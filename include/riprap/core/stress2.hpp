@@ -73,6 +73,12 @@ struct Stress2 {
     return {cc * s11 + ss * s22 - 2 * cs * s12, ss * s11 + cc * s22 + 2 * cs * s12,
             cs * (s11 - s22) + (cc - ss) * s12};
   }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("s11", self.s11);
+    visit("s22", self.s22);
+    visit("s12", self.s12);
+  }
 };
 
 /// Symmetric part of the product u v of two vectors: what a force on an arm adds to area times

@@ -139,6 +139,11 @@ struct Rotation {
     const TwoDoubles length_one = next * unit;
     return {length_one[0], length_one[1]};
   }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("cosine", self.cosine);
+    visit("sine", self.sine);
+  }
 };
 
 }  // namespace riprap

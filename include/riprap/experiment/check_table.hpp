@@ -32,6 +32,17 @@ struct CheckedNumber {
     return is_upper_limit ? value <= limit : value >= limit;
   }
   [[nodiscard]] bool holds() const { return !measured || allows(worst); }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("name", self.name);
+    visit("reason", self.reason);
+    visit("limit", self.limit);
+    visit("is_upper_limit", self.is_upper_limit);
+    visit("worst", self.worst);
+    visit("measured", self.measured);
+    visit("stage", self.stage);
+    visit("axial_strain", self.axial_strain);
+  }
 };
 
 /// All numbers of a test.
@@ -47,6 +58,8 @@ class CheckTable {
   /// Takes a value of a row. Returns a sentence the first time that the row is beyond its limit,
   /// else an empty text.
   std::string measure(std::size_t row, double value, Stage stage, double axial_strain);
+
+  static void for_each_field(auto& self, auto&& visit) { visit("rows", self.rows_); }
 
  private:
   [[nodiscard, gnu::cold]] static std::string sentence(const CheckedNumber& number);

@@ -51,6 +51,23 @@ struct CurvePoint {
     return energy.boundary_work == 0 ? 0 : energy.unclosed() / energy.boundary_work;
   }
 
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("axial_strain", self.axial_strain);
+    visit("volumetric_strain", self.volumetric_strain);
+    visit("porosity", self.porosity);
+    visit("stress", self.stress);
+    visit("inner_stress", self.inner_stress);
+    visit("coordination", self.coordination);
+    visit("particles", self.particles);
+    visit("breakages", self.breakages);
+    visit("fabric", self.fabric);
+    visit("inertial_number", self.inertial_number);
+    visit("overlap_ratio", self.overlap_ratio);
+    visit("state", self.state);
+    visit("lost_particles", self.lost_particles);
+    visit("energy", self.energy);
+  }
+
  private:
   static constexpr double axis_2 = 0.5 * std::numbers::pi;
 };
@@ -60,6 +77,12 @@ struct BiaxialBreak {
   Stage stage = Stage::shear;
   double axial_strain = 0;  ///< since the start of the stage
   BreakEvent event;
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("stage", self.stage);
+    visit("axial_strain", self.axial_strain);
+    visit("event", self.event);
+  }
 };
 
 /// An observer of BiaxialTest that measures at each record and keeps the energy ledger of shear.
@@ -106,6 +129,13 @@ class Curve {
   template <class Sim>
   void after_splits(const Sim& sim) {
     ledger_.after_splits(sim);
+  }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("points", self.points_);
+    visit("breaks", self.breaks_);
+    visit("ledger", self.ledger_);
+    visit("breakages_before_shear", self.breakages_before_shear_);
   }
 
  private:

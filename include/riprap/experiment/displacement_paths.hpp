@@ -21,6 +21,12 @@ class DisplacementPaths {
     Ancestry particle;
     std::vector<Vec2> points;    ///< centroids in order of time [m]
     std::optional<Vec2> branch;  ///< of a piece: where the path of its parent ended
+
+    static void for_each_field(auto& self, auto&& visit) {
+      visit("particle", self.particle);
+      visit("points", self.points);
+      visit("branch", self.branch);
+    }
   };
 
   /// By particle id, broken particles included; without points for platens and for those that broke
@@ -46,6 +52,8 @@ class DisplacementPaths {
       path(particles.ancestry(i)).points.push_back(particles.body(i).position);
     }
   }
+
+  static void for_each_field(auto& self, auto&& visit) { visit("paths", self.paths_); }
 
  private:
   [[nodiscard]] Path& path(const Ancestry& particle) {

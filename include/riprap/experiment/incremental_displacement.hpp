@@ -17,6 +17,12 @@ struct Move {
   Vec2 from{0, 0};
   Vec2 to{0, 0};
   bool is_free = true;
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("from", self.from);
+    visit("to", self.to);
+    visit("is_free", self.is_free);
+  }
 };
 
 /// An observer of BiaxialTest that follows all particles there are at `begin`. Of one that breaks
@@ -63,6 +69,12 @@ class IncrementalDisplacement {
     }
     for (std::size_t k = 0; k < out.size(); ++k) out[k].to /= areas[k];
     return out;
+  }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("starts", self.starts_);
+    visit("dust_areas", self.dust_areas_);
+    visit("start_of", self.start_of_);
   }
 
  private:

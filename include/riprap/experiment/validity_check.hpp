@@ -92,6 +92,11 @@ class ValidityCheck {
     if (work > 0) check(made_, energy.made() / work, Stage::shear, axial_strain);
   }
 
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("warnings", self.warnings_);
+    visit("table", self.table_);
+  }
+
  private:
   template <class Sim>
   [[nodiscard]] static Stress2 stress(const BiaxialView<Sim>& view) {

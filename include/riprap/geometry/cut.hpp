@@ -24,6 +24,11 @@ struct Line {
 
   /// Distance of x from the line [m], positive on the left of `direction`.
   [[nodiscard]] double left_distance(const Vec2& x) const { return cross(direction, x - point); }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("point", self.point);
+    visit("direction", self.direction);
+  }
 };
 
 /// The two parts of a ring, on the left and on the right of the cutting line.

@@ -14,6 +14,12 @@ struct Rock {
   double poisson = 0.17;  ///< Poisson's ratio [-], in [0, 0.5)
   double density = 2500;  ///< [kg/m^3]
 
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("young", self.young);
+    visit("poisson", self.poisson);
+    visit("density", self.density);
+  }
+
   /// Throws InvalidInput that names the value and the rule.
   void validate() const {
     require_positive("Rock.young", young);

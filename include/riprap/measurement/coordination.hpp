@@ -15,6 +15,11 @@ namespace riprap {
 struct Coordination {
   double contacts_per_particle = 0;  ///< M / N: gamma of eq. 8
   double coordination_number = 0;    ///< 2 M / N: the mean number of contacts of a free particle
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("contacts_per_particle", self.contacts_per_particle);
+    visit("coordination_number", self.coordination_number);
+  }
 };
 
 /// Contacts of every body, in the order of the bodies.

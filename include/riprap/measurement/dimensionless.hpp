@@ -42,6 +42,16 @@ struct StateAverages {
   [[nodiscard]] double kinetic_ratio() const {
     return stored_energy > 0 ? kinetic_energy / stored_energy : 0;
   }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("contacts", self.contacts);
+    visit("mean_normal_force", self.mean_normal_force);
+    visit("unbalanced_force", self.unbalanced_force);
+    visit("mean_overlap", self.mean_overlap);
+    visit("largest_overlap", self.largest_overlap);
+    visit("kinetic_energy", self.kinetic_energy);
+    visit("stored_energy", self.stored_energy);
+  }
 };
 
 /// @param body_force part of the resultant on a free body

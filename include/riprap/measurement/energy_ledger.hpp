@@ -35,6 +35,18 @@ struct EnergyTerms {
     return boundary_work + body_force_work - kinetic - stored - slip - dashpot - damping -
            breakage - law_residual;
   }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("boundary_work", self.boundary_work);
+    visit("body_force_work", self.body_force_work);
+    visit("kinetic", self.kinetic);
+    visit("stored", self.stored);
+    visit("slip", self.slip);
+    visit("dashpot", self.dashpot);
+    visit("damping", self.damping);
+    visit("breakage", self.breakage);
+    visit("law_residual", self.law_residual);
+  }
 };
 
 /// An observer that keeps the ledger. Contact work is the trapezoid sum, contact by contact, of the
@@ -104,6 +116,17 @@ class EnergyLedger {
     return t;
   }
 
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("terms", self.terms_);
+    visit("start", self.start_);
+    visit("stored", self.stored_);
+    visit("slip", self.slip_);
+    visit("dashpot", self.dashpot_);
+    visit("contact_work", self.contact_work_);
+    visit("before_split", self.before_split_);
+    visit("is_open", self.is_open_);
+  }
+
  private:
   struct Totals {
     double boundary = 0;
@@ -113,6 +136,16 @@ class EnergyLedger {
     double stored = 0;
     double slip = 0;
     double dashpot = 0;
+
+    static void for_each_field(auto& self, auto&& visit) {
+      visit("boundary", self.boundary);
+      visit("body_force", self.body_force);
+      visit("damping", self.damping);
+      visit("kinetic", self.kinetic);
+      visit("stored", self.stored);
+      visit("slip", self.slip);
+      visit("dashpot", self.dashpot);
+    }
   };
 
   template <class Sim>

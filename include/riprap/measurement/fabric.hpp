@@ -42,6 +42,11 @@ struct Anisotropy {
   [[nodiscard]] double along(double axis) const {
     return coefficient * std::cos(2 * (direction - axis));
   }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("coefficient", self.coefficient);
+    visit("direction", self.direction);
+  }
 };
 
 /// The Fourier description of an assembly's contacts:
@@ -60,6 +65,17 @@ struct Fabric {
   /// Contacts left out of all but a: with a >= 1 the density of eq. 9 is not positive in their
   /// direction, so that no average over orientations has a weight for them.
   std::size_t left_out = 0;
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("normals", self.normals);
+    visit("normal_forces", self.normal_forces);
+    visit("tangential_forces", self.tangential_forces);
+    visit("normal_branches", self.normal_branches);
+    visit("tangential_branches", self.tangential_branches);
+    visit("mean_normal_force", self.mean_normal_force);
+    visit("mean_branch", self.mean_branch);
+    visit("left_out", self.left_out);
+  }
 };
 
 namespace internal {

@@ -19,16 +19,24 @@ namespace riprap {
 template <class Row>
 class CsvFile {
  public:
-  /// Replaces a file that is there by the line of names; throws SimulationError if that fails.
-  CsvFile(const std::string& path, CsvColumns<Row> columns)
-      : columns_(std::move(columns)), file_(path) {
-    file_.append(csv_header(columns_));
+  /// Replaces a file that is there by the line of names, or keeps it until `write_anew`; throws
+  /// SimulationError if that fails.
+  CsvFile(const std::string& path, CsvColumns<Row> columns, OldFile old = OldFile::replace)
+      : columns_(std::move(columns)), file_(path, old) {
+    if (old == OldFile::replace) file_.append(csv_header(columns_));
   }
 
   /// Appends what follows the rows that are in the file already. Throws SimulationError if a row
   /// cannot be written; the file then ends with the row before.
   void append_new(const std::vector<Row>& rows) {
     for (; written_ < rows.size(); ++written_) file_.append(csv_line(columns_, rows[written_]));
+  }
+  /// Replaces what is in the file by these rows.
+  void write_anew(const std::vector<Row>& rows) {
+    file_.clear();
+    file_.append(csv_header(columns_));
+    written_ = 0;
+    append_new(rows);
   }
 
  private:
@@ -47,12 +55,15 @@ class CsvFile {
 class CurveFiles {
  public:
   /// The folder must exist, and the curve must outlive the observer.
+  /// @param old what becomes of files that are there; those of a run that goes on are kept until a
+  /// checkpoint has been read
   /// Throws SimulationError if a file cannot be written.
-  CurveFiles(const Curve& curve, const std::filesystem::path& folder)
-      : curve_(curve), points_((folder / "curve.csv").string(), curve_columns()),
-        energy_((folder / "energy.csv").string(), energy_columns()),
-        breakages_((folder / "breakages.csv").string(), breakage_columns()) {}
-  CurveFiles(const Curve&&, const std::filesystem::path&) = delete;
+  CurveFiles(const Curve& curve, const std::filesystem::path& folder,
+             OldFile old = OldFile::replace)
+      : curve_(curve), points_((folder / "curve.csv").string(), curve_columns(), old),
+        energy_((folder / "energy.csv").string(), energy_columns(), old),
+        breakages_((folder / "breakages.csv").string(), breakage_columns(), old) {}
+  CurveFiles(const Curve&&, const std::filesystem::path&, OldFile = OldFile::replace) = delete;
 
   template <class View>
   void record(const View& /*view*/) {
@@ -65,6 +76,15 @@ class CurveFiles {
   template <class View>
   void end_stage(const View& /*view*/) {
     append_new();
+  }
+
+  /// The rows are those of the curve.
+  static void for_each_field(auto&, auto&&) {}
+  /// The curve has been read from a checkpoint: its rows replace those of the files.
+  void restored() {
+    points_.write_anew(curve_.points());
+    energy_.write_anew(curve_.points());
+    breakages_.write_anew(curve_.breaks());
   }
 
  private:

@@ -33,15 +33,24 @@ void make_folder(const std::string& folder);
 /// Throws SimulationError with the path and the system's reason if that fails.
 void write_file(const std::string& path, std::string_view text);
 
+/// What becomes of a file that is there already.
+enum class OldFile {
+  replace,  ///< by an empty one
+  keep      ///< it grows
+};
+
 /// A file that grows: what was appended is in the file, also if the program is killed afterwards.
 class AppendedFile {
  public:
-  /// Replaces a file that is there by an empty one; throws SimulationError if that fails.
-  explicit AppendedFile(std::string path);
+  /// Throws SimulationError if the file cannot be opened.
+  explicit AppendedFile(std::string path, OldFile old = OldFile::replace);
 
   /// Throws SimulationError if the text cannot be written as a whole; the file then ends with what
   /// was appended before.
   void append(std::string_view text);
+
+  /// Removes all that is in the file. Throws SimulationError if that fails.
+  void clear();
 
  private:
   std::string path_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <filesystem>
@@ -67,10 +68,21 @@ RIPRAP_INLINE void write_file(const std::string& path, std::string_view text) {
   internal::throw_cannot_write(path, failed);
 }
 
-RIPRAP_INLINE AppendedFile::AppendedFile(std::string path)
-    : path_(std::move(path)), file_(std::fopen(path_.c_str(), "wb")) {
+RIPRAP_INLINE AppendedFile::AppendedFile(std::string path, OldFile old)
+    : path_(std::move(path)),
+      file_(std::fopen(path_.c_str(), old == OldFile::replace ? "wb" : "ab")) {
   if (!file_) internal::throw_cannot_write(path_, errno);
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);
+  std::fseek(file_.get(), 0, SEEK_END);
+  size_ = std::max(0L, std::ftell(file_.get()));  // -1 of what has no positions
+}
+
+RIPRAP_INLINE void AppendedFile::clear() {
+  std::error_code error;
+  std::filesystem::resize_file(path_, 0, error);
+  if (error || std::fseek(file_.get(), 0, SEEK_SET) != 0)
+    internal::throw_cannot_write(path_, error ? error.value() : errno);
+  size_ = 0;
 }
 
 RIPRAP_INLINE void AppendedFile::append(std::string_view text) {

@@ -110,9 +110,7 @@ class ParaViewSeries {
     particles_vtp(sim).save(folder_ / ("particles" + file));
     contacts_vtp(sim).save(folder_ / ("contacts" + file));
     times_.push_back(time);
-    // Written anew each time, so that what a stopped run leaves can be opened.
-    for (const std::string name : {"particles", "contacts"})
-      write_file(folder_ / (name + ".pvd"), collection(name));
+    write_collections();
   }
 
   template <class Sim>
@@ -120,7 +118,18 @@ class ParaViewSeries {
     write(view.sim, view.axial_strain());
   }
 
+  static void for_each_field(auto& self, auto&& visit) { visit("times", self.times_); }
+  /// The series goes on after the states of a checkpoint.
+  void restored() {
+    if (!times_.empty()) write_collections();
+  }
+
  private:
+  // Written anew each time, so that what a stopped run leaves can be opened.
+  void write_collections() const {
+    for (const std::string name : {"particles", "contacts"})
+      write_file(folder_ / (name + ".pvd"), collection(name));
+  }
   // "particles_0123.vtp", "contacts.pvd" and the like, or what a killed program left of one.
   [[nodiscard]] static bool is_of_series(std::string_view name) {
     if (name.ends_with(".part")) name.remove_suffix(5);

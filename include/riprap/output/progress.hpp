@@ -57,6 +57,12 @@ class Progress {
     print_warnings();
   }
 
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("breaks_before", self.breaks_before_);
+    visit("check", self.check_);
+    visit("warned", self.warned_);
+  }
+
  private:
   using Clock = std::chrono::steady_clock;
 

@@ -23,6 +23,11 @@ struct Wrench {
     force.y() -= f.y();
     moment -= m;
   }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("force", self.force);
+    visit("moment", self.moment);
+  }
 };
 
 /// What decides a body's velocity.
@@ -57,6 +62,18 @@ struct Body {
     using namespace internal;
     return vec2_of(pair_of(velocity) +
                    swapped(pair_of(arm)) * TwoDoubles{-angular_velocity, angular_velocity});
+  }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("position", self.position);
+    visit("rotation", self.rotation);
+    visit("velocity", self.velocity);
+    visit("angular_velocity", self.angular_velocity);
+    visit("contact", self.contact);
+    visit("mass", self.mass);
+    visit("inertia", self.inertia);
+    visit("mass_scaling", self.mass_scaling);
+    visit("motion", self.motion);
   }
 };
 

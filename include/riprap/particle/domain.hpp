@@ -31,6 +31,11 @@ struct PeriodicDomain {
     friend constexpr Image operator+(const Image& i, const Image& j) {
       return {i.axis_1 + j.axis_1, i.axis_2 + j.axis_2};
     }
+
+    static void for_each_field(auto& self, auto&& visit) {
+      visit("axis_1", self.axis_1);
+      visit("axis_2", self.axis_2);
+    }
   };
 
   Vec2 period{0, 0};  ///< extents of the cell [m]
@@ -49,6 +54,12 @@ struct PeriodicDomain {
   [[nodiscard]] Image cell_of(const Vec2& x) const {
     return {static_cast<int>(std::lround((x.x() - centre.x()) / period.x())),
             static_cast<int>(std::lround((x.y() - centre.y()) / period.y()))};
+  }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("period", self.period);
+    visit("rate", self.rate);
+    visit("centre", self.centre);
   }
 };
 

@@ -11,6 +11,11 @@ namespace riprap {
 struct DustPiece {
   ParticleId root = no_particle;  ///< the intact particle it was once part of
   double area = 0;                ///< [m^2]
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("root", self.root);
+    visit("area", self.area);
+  }
 };
 
 }  // namespace riprap

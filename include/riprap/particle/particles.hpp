@@ -22,6 +22,13 @@ struct ParticleShape {
   double circumradius = 0;  ///< farthest vertex from the centroid [m]
   std::uint32_t first = 0;  ///< of its vertices in the pools
   std::uint32_t count = 0;
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("area", self.area);
+    visit("circumradius", self.circumradius);
+    visit("first", self.first);
+    visit("count", self.count);
+  }
 };
 
 /// Bodies, shapes and ancestry side by side, index by index; vertices of all particles in two
@@ -83,6 +90,23 @@ class Particles {
       const TwoDoubles v = pair_of(local[k]);
       store_lanes(placed[k].data(), v * rotation.cosine + swapped(v) * turn + shift);
     }
+  }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("thickness", self.thickness_);
+    visit("density", self.density_);
+    visit("bodies", self.bodies_);
+    visit("shapes", self.shapes_);
+    visit("ancestries", self.ancestries_);
+    visit("dust", self.dust_);
+    visit("local_vertices", self.local_);
+    visit("unused_vertices", self.dead_vertices_);
+    visit("next_id", self.next_id_);
+  }
+  /// Places all vertices.
+  void restored() {
+    placed_.resize(local_.size());
+    for (BodyIndex i = 0; i < size(); ++i) update_ring(i);
   }
 
  private:

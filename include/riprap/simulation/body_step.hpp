@@ -24,6 +24,12 @@ struct BodyWork {
     damping += o.damping;
     return *this;
   }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("boundary", self.boundary);
+    visit("body_force", self.body_force);
+    visit("damping", self.damping);
+  }
 };
 
 /// Moves free bodies by the integrator and driven ones at their velocity. Each kick's work is

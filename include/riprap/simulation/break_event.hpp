@@ -29,6 +29,19 @@ struct BreakEvent {
   [[nodiscard]] Vec2 place() const {
     return (areas[0] * centroids[0] + areas[1] * centroids[1]) / (areas[0] + areas[1]);
   }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("step", self.step);
+    visit("time", self.time);
+    visit("particle", self.particle);
+    visit("failures", self.failures);
+    visit("mode", self.mode);
+    visit("line", self.line);
+    visit("pieces", self.pieces);
+    visit("areas", self.areas);
+    visit("centroids", self.centroids);
+    visit("crack_length", self.crack_length);
+  }
 };
 
 }  // namespace riprap

@@ -18,6 +18,8 @@ struct BreakageStage {
   explicit BreakageStage(const ModelType&) {}
   [[nodiscard]] static std::size_t operator_bytes() { return 0; }
   [[nodiscard]] static const InfluenceOperator* find_operator(BodyIndex) { return nullptr; }
+  static void for_each_field(auto&, auto&&) {}
+  void restart(const ModelType&) {}
 };
 
 /// Influence operators, screening, refused cuts and number of pieces.
@@ -56,6 +58,16 @@ struct BreakageStage<ModelType> {
   [[nodiscard]] std::size_t operator_bytes() const { return operators.bytes(); }
   [[nodiscard]] const InfluenceOperator* find_operator(BodyIndex i) const {
     return operators.find(i);
+  }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("pass", self.pass);
+    visit("pieces", self.piece_limit);
+  }
+  /// After the fields have been written: operators and screening are of other particles.
+  void restart(const ModelType& model) {
+    operators = decltype(operators)(model.acceleration_model.operator_store);
+    screening = decltype(screening)(model.breakage_model, model.stress_model);
   }
 
   typename decltype(ModelType::acceleration_model.operator_store)::State operators;

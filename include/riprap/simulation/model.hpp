@@ -212,6 +212,14 @@ struct Model {
     return copy;
   }
 
+  /// What results depend on: all but acceleration and execution.
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("contact", self.contact_model);
+    visit("motion", self.motion_model);
+    visit("stress", self.stress_model);
+    visit("breakage", self.breakage_model);
+  }
+
   /// Calls `validate()` of every policy that has one; throws InvalidInput.
   void validate() const {
     const auto all = [](const auto&... policies) { (riprap::validate(policies), ...); };

@@ -32,6 +32,12 @@ struct ContactModel {
   BroadT broad_phase{};
   NarrowT narrow_phase{};
   LawT law{};
+
+  /// But for the broad phase, on which no result depends.
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("narrow_phase", self.narrow_phase);
+    visit("contact_law", self.law);
+  }
 };
 template <class B, class N, class L>
 ContactModel(B, N, L) -> ContactModel<B, N, L>;
@@ -46,6 +52,14 @@ struct MotionModel {
   TimeStepT time_step{};
   BoundaryT boundary{};
   BodyForceT body_force{};
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("integrator", self.integrator);
+    visit("damping", self.damping);
+    visit("time_step", self.time_step);
+    visit("boundary", self.boundary);
+    visit("body_force", self.body_force);
+  }
 };
 template <class I, class D, class T, class B, class F>
 MotionModel(I, D, T, B, F) -> MotionModel<I, D, T, B, F>;
@@ -58,6 +72,13 @@ struct StressModel {
   ElementT element{};
   PlaneStateT plane_state{};
   SupportT support{};
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("mesher", self.mesher);
+    visit("element", self.element);
+    visit("plane_state", self.plane_state);
+    visit("support", self.support);
+  }
 };
 template <class M, class E, class P, class S>
 StressModel(M, E, P, S) -> StressModel<M, E, P, S>;
@@ -75,6 +96,15 @@ struct BreakageModel {
   SplitterT splitter{};
   InheritanceT inheritance{};
   unsigned check_every = 1;  ///< steps between checks
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("criterion", self.criterion);
+    visit("trigger", self.trigger);
+    visit("line_fit", self.line_fit);
+    visit("splitter", self.splitter);
+    visit("inheritance", self.inheritance);
+    visit("check_every", self.check_every);
+  }
 };
 template <class C, class T, class F, class S, class I>
 BreakageModel(C, T, F, S, I, unsigned) -> BreakageModel<C, T, F, S, I>;

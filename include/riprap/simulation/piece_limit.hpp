@@ -26,6 +26,8 @@ class PieceLimit {
     }
   }
 
+  static void for_each_field(auto& self, auto&& visit) { visit("breaks", self.breaks_); }
+
  private:
   [[noreturn, gnu::cold]] static void throw_too_many(const Ancestry& particle, std::size_t limit) {
     throw SimulationError(

@@ -47,8 +47,8 @@ class Simulation {
 
   /// Throws InvalidInput if the model, the assembly or the rock breaks a rule.
   Simulation(ModelType model, const Assembly& assembly, const Rock& rock)
-      : model_(validated(std::move(model), assembly, rock)), rock_(rock),
-        particles_(assembly.thickness, rock.density),
+      : model_(validated(std::move(model), assembly, rock)), motion_(model_.motion_model),
+        rock_(rock), particles_(assembly.thickness, rock.density),
         contacts_(model_.contact_model.broad_phase, model_.contact_model.narrow_phase,
                   model_.contact_model.law),
         breakage_(model_) {
@@ -100,6 +100,7 @@ class Simulation {
     (hooks::after_step(observers, *this), ...);
   }
 
+  /// As it was given; for what experiments change see `boundary()`, `contact_law()` and the like.
   [[nodiscard]] const ModelType& model() const { return model_; }
   [[nodiscard]] const Rock& rock() const { return rock_; }
   [[nodiscard]] const Particles& particles() const { return particles_; }
@@ -136,10 +137,10 @@ class Simulation {
     contacts_.invalidate();
     choose_time_step();
   }
-  [[nodiscard]] auto& boundary() { return model_.motion_model.boundary; }
-  [[nodiscard]] const auto& boundary() const { return model_.motion_model.boundary; }
+  [[nodiscard]] auto& boundary() { return motion_.boundary; }
+  [[nodiscard]] const auto& boundary() const { return motion_.boundary; }
   [[nodiscard]] auto& contact_law() { return contacts_.law(); }
-  [[nodiscard]] auto& damping() { return model_.motion_model.damping; }
+  [[nodiscard]] auto& damping() { return motion_.damping; }
   void set_breakage(bool active) { breakage_active_ = active; }
   [[nodiscard]] bool breakage() const { return breakage_active_; }
   /// Sets the acceleration of the body force on free bodies [m/s^2], if it is uniform.
@@ -148,9 +149,9 @@ class Simulation {
   {
     const UniformBodyForce body_force{acceleration};
     body_force.validate();
-    model_.motion_model.body_force = body_force;
+    motion_.body_force = body_force;
   }
-  [[nodiscard]] const auto& body_force() const { return model_.motion_model.body_force; }
+  [[nodiscard]] const auto& body_force() const { return motion_.body_force; }
   /// Replaces the time step [s] that the rule chose; stability is the caller's responsibility.
   void set_time_step(double seconds) {
     require_positive("time step", seconds);
@@ -180,6 +181,26 @@ class Simulation {
     return ratios;
   }
 
+  /// What a simulation of the same model and rock needs to go on; written, `restored` must follow.
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("steps", self.steps_);
+    visit("time", self.time_);
+    visit("time_step", self.time_step_);
+    visit("smallest_mass", self.smallest_mass_);
+    visit("mean_area", self.mean_area_);
+    visit("breakage_active", self.breakage_active_);
+    visit("work", self.work_);
+    visit("motion", self.motion_);
+    visit("particles", self.particles_);
+    visit("contacts", self.contacts_);
+    visit("breakage", self.breakage_);
+    visit("breaks", self.breaks_);
+  }
+  void restored() {
+    contacts_.restore(particles_);
+    breakage_.restart(model_);
+  }
+
  private:
   void require_body(BodyIndex i) const {
     require(i < particles_.size(), "body", i, "must be in the simulation");
@@ -193,9 +214,7 @@ class Simulation {
     return stress_query();
   }
 
-  [[nodiscard]] auto body_step() {
-    return BodyStep(model_.motion_model, contacts_.domain(), time_step_);
-  }
+  [[nodiscard]] auto body_step() { return BodyStep(motion_, contacts_.domain(), time_step_); }
 
   // Forces of the present poses move the bodies to the next ones.
   void advance_bodies() {
@@ -275,7 +294,8 @@ class Simulation {
     time_step_ = model_.motion_model.time_step.time_step(smallest_mass_, stiffness);
   }
 
-  ModelType model_;
+  ModelType model_;                           // as it was given
+  decltype(ModelType::motion_model) motion_;  // as experiments have changed it
   Rock rock_;
   Particles particles_;
   Contacts contacts_;

@@ -30,6 +30,9 @@ struct CriterionChoice {
   {
     return std::visit([&](const auto& c) { return riprap::extreme_stresses(c, in_plane); }, chosen);
   }
+
+  static void for_each_field(auto& self, auto&& visit) { visit("chosen", self.chosen); }
+
   void validate() const {
     std::visit([](const auto& c) { riprap::validate(c); }, chosen);
   }

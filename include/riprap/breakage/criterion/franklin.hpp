@@ -42,6 +42,12 @@ struct Franklin {
            std::pow(exponent, exponent / (1 - exponent));
   }
 
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("compressive_strength", self.compressive_strength);
+    visit("exponent", self.exponent);
+    visit("tension", self.tension);
+  }
+
   void validate() const {
     require_positive("Franklin.compressive_strength", compressive_strength);
     require(exponent >= 0.5 && exponent < 1, "Franklin.exponent", exponent, "must lie in [0.5, 1)");

@@ -28,6 +28,8 @@ struct Griffith {
     return std::asin(1 / (1 + root(minor)));
   }
 
+  static void for_each_field(auto& self, auto&& visit) { visit("tension", self.tension); }
+
   void validate() const { require_positive("Griffith.tension", tension); }
 
  private:

@@ -38,6 +38,13 @@ struct Hobbs {
     return std::asin(1 / (1 + flatness));
   }
 
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("compressive_strength", self.compressive_strength);
+    visit("factor", self.factor);
+    visit("exponent", self.exponent);
+    visit("tension", self.tension);
+  }
+
   void validate() const {
     require_positive("Hobbs.compressive_strength", compressive_strength);
     require_positive("Hobbs.factor", factor);

@@ -43,6 +43,14 @@ struct HoekBrown {
     return std::asin(6 * slope / (2 * (1 + a_b) * (2 + a_b) + 6 * slope));
   }
 
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("compressive_strength", self.compressive_strength);
+    visit("m_b", self.m_b);
+    visit("s", self.s);
+    visit("a_b", self.a_b);
+    visit("angle", self.angle);
+  }
+
   void validate() const {
     require_positive("HoekBrown.compressive_strength", compressive_strength);
     require_positive("HoekBrown.m_b", m_b);

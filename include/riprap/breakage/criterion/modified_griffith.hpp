@@ -35,6 +35,11 @@ struct ModifiedGriffith {
     return std::atan(friction);
   }
 
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("tension", self.tension);
+    visit("friction", self.friction);
+  }
+
   void validate() const {
     require_positive("ModifiedGriffith.tension", tension);
     require(friction > 0 && friction <= 1, "ModifiedGriffith.friction", friction,

@@ -28,6 +28,12 @@ struct MohrCoulomb {
   /// Where the straight line meets sigma_1 = sigma_3 [Pa], positive.
   [[nodiscard]] double apex() const { return cohesion / std::tan(angle); }
 
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("cohesion", self.cohesion);
+    visit("angle", self.angle);
+    visit("tension", self.tension);
+  }
+
   void validate() const {
     require_positive("MohrCoulomb.cohesion", cohesion);
     require(angle > 0 && angle < 1.5, "MohrCoulomb.angle", angle, "must lie in (0, 1.5) rad");

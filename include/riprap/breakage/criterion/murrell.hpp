@@ -27,6 +27,8 @@ struct Murrell {
     return std::asin(3 / (3 + 2 * root(minor)));
   }
 
+  static void for_each_field(auto& self, auto&& visit) { visit("tension", self.tension); }
+
   void validate() const { require_positive("Murrell.tension", tension); }
 
  private:

@@ -18,6 +18,9 @@ struct Rankine {
     return std::numeric_limits<double>::infinity();
   }
   [[nodiscard]] double tensile_strength() const { return tension; }
+
+  static void for_each_field(auto& self, auto&& visit) { visit("tension", self.tension); }
+
   void validate() const { require_positive("Rankine.tension", tension); }
 };
 

@@ -30,6 +30,15 @@ struct FailureCount {
   }
   /// Failed area over the area of the particle [-].
   [[nodiscard]] double area_ratio() const { return area == 0 ? 0 : failed_area / area; }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("elements", self.elements);
+    visit("failed", self.failed);
+    visit("lowest_safety_factor", self.lowest_safety_factor);
+    visit("first_failed", self.first_failed);
+    visit("failed_area", self.failed_area);
+    visit("area", self.area);
+  }
 };
 
 namespace internal {

@@ -21,6 +21,8 @@ struct LineFitChoice {
     return std::visit([&](const auto& fit) { return fit_line(fit, points, planes, mean_stress); },
                       chosen);
   }
+
+  static void for_each_field(auto& self, auto&& visit) { visit("chosen", self.chosen); }
 };
 
 }  // namespace riprap

@@ -36,6 +36,13 @@ struct StraightCut {
     return dust && polygon_area(piece) < minimum_area * mean_area;
   }
 
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("minimum_area", self.minimum_area);
+    visit("maximum_aspect", self.maximum_aspect);
+    visit("maximum_pieces", self.maximum_pieces);
+    visit("dust", self.dust);
+  }
+
   void validate() const {
     require_non_negative("StraightCut.minimum_area", minimum_area);
     require(maximum_aspect >= 1, "StraightCut.maximum_aspect", maximum_aspect, "must be 1 or more");

@@ -17,6 +17,9 @@ struct FailedAreaRatio {
     return failures.area_ratio() >= reached();
   }
   [[nodiscard]] double failed_area_needed() const { return reached(); }
+
+  static void for_each_field(auto& self, auto&& visit) { visit("critical", self.critical); }
+
   void validate() const { require_positive("FailedAreaRatio.critical", critical); }
 
  private:

@@ -18,6 +18,9 @@ struct FailedElementRatio {
   [[nodiscard]] std::size_t failed_elements_needed(std::size_t elements) const {
     return failed_elements_for_ratio(elements, critical);
   }
+
+  static void for_each_field(auto& self, auto&& visit) { visit("critical", self.critical); }
+
   void validate() const { require_positive("FailedElementRatio.critical", critical); }
 };
 

@@ -33,6 +33,14 @@ struct WeibullStrength {
   [[nodiscard]] std::size_t failed_elements_needed(std::size_t elements) const {
     return failed_elements_for_ratio(elements, critical);
   }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("modulus", self.modulus);
+    visit("reference_area", self.reference_area);
+    visit("critical", self.critical);
+    visit("seed", self.seed);
+  }
+
   void validate() const {
     require_positive("WeibullStrength.modulus", modulus);
     require_positive("WeibullStrength.reference_area", reference_area);

@@ -17,6 +17,8 @@ struct ContactLawChoice {
   template <class Law>
   struct HistoryOf {
     typename Law::History history{};
+
+    static void for_each_field(auto& self, auto&& visit) { visit("history", self.history); }
   };
   using History = std::variant<HistoryOf<Laws>...>;
 
@@ -57,6 +59,9 @@ struct ContactLawChoice {
     return std::visit([](const auto& law) { return ContactLawChoice{riprap::frictionless(law)}; },
                       chosen);
   }
+
+  static void for_each_field(auto& self, auto&& visit) { visit("chosen", self.chosen); }
+
   void validate() const {
     std::visit([](const auto& law) { riprap::validate(law); }, chosen);
   }

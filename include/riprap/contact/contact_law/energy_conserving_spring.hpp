@@ -27,6 +27,11 @@ struct EnergyConservingSpring {
   struct History {
     double tangential_force = 0;  ///< on b along the tangent [N]
     double offset = 0;            ///< depth without force [m]
+
+    static void for_each_field(auto& self, auto&& visit) {
+      visit("tangential_force", self.tangential_force);
+      visit("offset", self.offset);
+    }
   };
 
   [[nodiscard]] ContactForce operator()(const ContactGeometry& geometry,
@@ -58,6 +63,12 @@ struct EnergyConservingSpring {
   /// Of two faces, which OverlapMoments gives a spring at both ends.
   [[nodiscard]] double peak_stiffness() const {
     return std::max(2 * normal_stiffness, tangential_stiffness);
+  }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("normal_stiffness", self.normal_stiffness);
+    visit("tangential_stiffness", self.tangential_stiffness);
+    visit("friction", self.friction);
   }
 
   void validate() const {

@@ -23,6 +23,11 @@ struct IncrementalSpring {
   struct History {
     double normal_force = 0;      ///< [N], >= 0
     double tangential_force = 0;  ///< on b along the tangent [N]
+
+    static void for_each_field(auto& self, auto&& visit) {
+      visit("normal_force", self.normal_force);
+      visit("tangential_force", self.tangential_force);
+    }
   };
 
   [[nodiscard]] ContactForce operator()(const ContactGeometry&, const ContactMotion& motion,
@@ -41,6 +46,12 @@ struct IncrementalSpring {
 
   [[nodiscard]] double peak_stiffness() const {
     return std::max(normal_stiffness, tangential_stiffness);
+  }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("normal_stiffness", self.normal_stiffness);
+    visit("tangential_stiffness", self.tangential_stiffness);
+    visit("friction", self.friction);
   }
 
   void validate() const {

@@ -19,6 +19,10 @@ struct LinearSpringCoulomb {
 
   struct History {
     double tangential_force = 0;  ///< on b along the tangent [N]
+
+    static void for_each_field(auto& self, auto&& visit) {
+      visit("tangential_force", self.tangential_force);
+    }
   };
 
   [[nodiscard]] ContactForce operator()(const ContactGeometry& geometry,
@@ -36,6 +40,12 @@ struct LinearSpringCoulomb {
 
   [[nodiscard]] double peak_stiffness() const {
     return std::max(normal_stiffness, tangential_stiffness);
+  }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("normal_stiffness", self.normal_stiffness);
+    visit("tangential_stiffness", self.tangential_stiffness);
+    visit("friction", self.friction);
   }
 
   void validate() const {

@@ -23,6 +23,10 @@ struct OverlapAreaSpring {
 
   struct History {
     double tangential_force = 0;  ///< on b along the tangent [N]
+
+    static void for_each_field(auto& self, auto&& visit) {
+      visit("tangential_force", self.tangential_force);
+    }
   };
 
   [[nodiscard]] ContactForce operator()(const ContactGeometry& geometry,
@@ -42,6 +46,13 @@ struct OverlapAreaSpring {
   /// most chord^2 / 2; that of a corner is, and that of flat faces is nothing.
   [[nodiscard]] double peak_stiffness() const {
     return std::max(1.5 * area_stiffness * largest_chord * largest_chord, tangential_stiffness);
+  }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("area_stiffness", self.area_stiffness);
+    visit("tangential_stiffness", self.tangential_stiffness);
+    visit("friction", self.friction);
+    visit("largest_chord", self.largest_chord);
   }
 
   void validate() const {

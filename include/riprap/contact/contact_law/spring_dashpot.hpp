@@ -25,6 +25,10 @@ struct SpringDashpot {
 
   struct History {
     double tangential_force = 0;  ///< on b along the tangent [N]
+
+    static void for_each_field(auto& self, auto&& visit) {
+      visit("tangential_force", self.tangential_force);
+    }
   };
 
   [[nodiscard]] ContactForce operator()(const ContactGeometry& geometry,
@@ -47,6 +51,14 @@ struct SpringDashpot {
   }
   [[nodiscard]] double peak_stiffness() const {
     return std::max(normal_stiffness, tangential_stiffness);
+  }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("normal_stiffness", self.normal_stiffness);
+    visit("tangential_stiffness", self.tangential_stiffness);
+    visit("friction", self.friction);
+    visit("damping_ratio", self.damping_ratio);
+    visit("may_pull", self.may_pull);
   }
 
   void validate() const {

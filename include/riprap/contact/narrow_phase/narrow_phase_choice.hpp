@@ -40,6 +40,9 @@ struct NarrowPhaseChoice {
         },
         chosen);
   }
+
+  static void for_each_field(auto& self, auto&& visit) { visit("chosen", self.chosen); }
+
   void validate() const {
     std::visit([](const auto& narrow) { riprap::validate(narrow); }, chosen);
   }

@@ -14,6 +14,11 @@ namespace riprap {
 struct ForceComponents {
   double normal = 0;      ///< along the normal [N], pushing: positive
   double tangential = 0;  ///< along the tangent [N]
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("normal", self.normal);
+    visit("tangential", self.tangential);
+  }
 };
 
 /// A pair of neighbours and, while they touch, their contact.
@@ -43,6 +48,21 @@ struct Contact {
   }
   /// From the centroid of a to that of b [m].
   [[nodiscard]] Vec2 branch() const { return arm_a - arm_b; }
+
+  /// But for the cache, on which no result depends.
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("a", self.a);
+    visit("b", self.b);
+    visit("image", self.image);
+    visit("touching", self.touching);
+    visit("at_platen", self.at_platen);
+    visit("crosses_boundary", self.crosses_boundary);
+    visit("geometry", self.geometry);
+    visit("history", self.history);
+    visit("force", self.force);
+    visit("arm_a", self.arm_a);
+    visit("arm_b", self.arm_b);
+  }
 };
 
 }  // namespace riprap

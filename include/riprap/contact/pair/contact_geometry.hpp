@@ -20,6 +20,15 @@ struct ContactGeometry {
 
   /// The normal turned by +90 degrees.
   [[nodiscard]] Vec2 tangent() const { return perpendicular(normal); }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("normal", self.normal);
+    visit("point", self.point);
+    visit("depth", self.depth);
+    visit("area", self.area);
+    visit("chord", self.chord);
+    visit("depth_gradient", self.depth_gradient);
+  }
 };
 
 }  // namespace riprap

@@ -59,10 +59,17 @@ class PairList {
     map_.finish(revision);
   }
 
-  /// The pair with the bodies and image of another, if it is in the list and touches.
-  [[nodiscard]] ContactType* find_touching(const ContactType& of) {
+  void clear() { pairs_.clear(); }
+
+  /// The pair with the bodies and image of another, if it is in the list.
+  [[nodiscard]] ContactType* find(const ContactType& of) {
     const auto found = std::ranges::lower_bound(pairs_, key(of), {}, key);
-    return found != pairs_.end() && key(*found) == key(of) && found->touching ? &*found : nullptr;
+    return found != pairs_.end() && key(*found) == key(of) ? &*found : nullptr;
+  }
+  /// The same, if it touches.
+  [[nodiscard]] ContactType* find_touching(const ContactType& of) {
+    ContactType* const found = find(of);
+    return found && found->touching ? found : nullptr;
   }
 
  private:

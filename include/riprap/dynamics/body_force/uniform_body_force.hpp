@@ -12,6 +12,9 @@ struct UniformBodyForce {
   Vec2 acceleration{0, 0};  ///< [m/s^2]; gravity against axis 2 is {0, -9.81}
 
   [[nodiscard]] Vec2 operator()(const Body&) const { return acceleration; }
+
+  static void for_each_field(auto& self, auto&& visit) { visit("acceleration", self.acceleration); }
+
   void validate() const {
     require_finite("body force along axis 1", acceleration.x());
     require_finite("body force along axis 2", acceleration.y());

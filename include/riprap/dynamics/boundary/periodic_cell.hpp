@@ -74,6 +74,8 @@ class PeriodicCell {
     return {particles, domain_};
   }
 
+  static void for_each_field(auto& self, auto&& visit) { visit("domain", self.domain_); }
+
  private:
   PeriodicDomain domain_;
 };

@@ -53,12 +53,25 @@ class RigidPlatens {
 
   [[nodiscard]] PlatenRegion region(const Particles& particles) const;
 
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("rate", self.rate_);
+    visit("centre", self.centre_);
+    visit("platens", self.platens_);
+  }
+
  private:
   struct Platen {
     BodyIndex body = 0;
     int axis = 0;        ///< along which it moves: 0 or 1
     double to_face = 0;  ///< from its centroid to its inner face along that axis [m]
     double reach = 0;    ///< from its centroid to its nearer end across that axis [m]
+
+    static void for_each_field(auto& self, auto&& visit) {
+      visit("body", self.body);
+      visit("axis", self.axis);
+      visit("to_face", self.to_face);
+      visit("reach", self.reach);
+    }
   };
 
   // Corners of the rectangle between the inner faces.

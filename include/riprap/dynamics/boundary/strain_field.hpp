@@ -43,6 +43,11 @@ class StrainField {
     return {particles, centre_};
   }
 
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("rate", self.rate_);
+    visit("centre", self.centre_);
+  }
+
  private:
   Vec2 rate_{0, 0};
   Vec2 centre_{0, 0};  // fixed point of the field

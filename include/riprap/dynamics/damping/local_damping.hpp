@@ -21,6 +21,8 @@ struct LocalDamping {
             against(applied.moment, body.angular_velocity)};
   }
 
+  static void for_each_field(auto& self, auto&& visit) { visit("coefficient", self.coefficient); }
+
   void validate() const {
     require(coefficient >= 0 && coefficient < 1, "LocalDamping.coefficient", coefficient,
             "must lie in [0, 1)");

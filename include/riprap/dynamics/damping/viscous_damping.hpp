@@ -18,6 +18,9 @@ struct ViscousDamping {
     return {-(scaled * body.mass) * body.velocity,
             -(scaled * body.inertia) * body.angular_velocity};
   }
+
+  static void for_each_field(auto& self, auto&& visit) { visit("rate", self.rate); }
+
   void validate() const { require_non_negative("ViscousDamping.rate", rate); }
 };
 

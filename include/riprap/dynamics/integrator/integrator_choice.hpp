@@ -32,6 +32,9 @@ struct IntegratorChoice {
   [[nodiscard]] double first_kick_fraction() const {
     return std::visit([](const auto& i) { return riprap::first_kick_fraction(i); }, chosen);
   }
+
+  static void for_each_field(auto& self, auto&& visit) { visit("chosen", self.chosen); }
+
   void validate() const {
     std::visit([](const auto& i) { riprap::validate(i); }, chosen);
   }

@@ -15,6 +15,9 @@ struct FixedTimeStep {
 
   [[nodiscard]] double time_step(double /*mass*/, double /*stiffness*/) const { return seconds; }
   [[nodiscard]] double mass_scaling(double /*mass*/, double /*smallest*/) const { return 1; }
+
+  static void for_each_field(auto& self, auto&& visit) { visit("seconds", self.seconds); }
+
   void validate() const { require_positive("FixedTimeStep.seconds", seconds); }
 };
 

@@ -23,6 +23,9 @@ struct MassFloor {
   [[nodiscard]] double mass_scaling(double mass, double smallest) const {
     return mass < smallest ? smallest / mass : 1;
   }
+
+  static void for_each_field(auto& self, auto&& visit) { visit("fraction", self.fraction); }
+
   void validate() const { require_positive("MassFloor.fraction", fraction); }
 };
 

@@ -20,6 +20,12 @@ struct NoMassScaling {
     return fraction * std::sqrt(lightest * mass / stiffness);
   }
   [[nodiscard]] double mass_scaling(double /*mass*/, double /*smallest*/) const { return 1; }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("fraction", self.fraction);
+    visit("lightest", self.lightest);
+  }
+
   void validate() const {
     require_positive("NoMassScaling.fraction", fraction);
     require(lightest > 0 && lightest <= 1, "NoMassScaling.lightest", lightest,

@@ -18,6 +18,10 @@ struct FanMesher {
 
   [[nodiscard]] Mesh operator()(Ring ring) const;
 
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("edge_divisions", self.edge_divisions);
+  }
+
   void validate() const;
 };
 

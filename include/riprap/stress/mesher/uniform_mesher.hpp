@@ -26,6 +26,8 @@ struct UniformMesher {
   template <class Once = void>
   [[nodiscard]] Mesh operator()(Ring ring) const;
 
+  static void for_each_field(auto& self, auto&& visit) { visit("triangles", self.triangles); }
+
   void validate() const;
 
  private:

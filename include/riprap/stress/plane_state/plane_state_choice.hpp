@@ -21,6 +21,8 @@ struct PlaneStateChoice {
     return std::visit([&](const auto& p) { return double(p.out_of_plane_stress(rock, stress)); },
                       chosen);
   }
+
+  static void for_each_field(auto& self, auto&& visit) { visit("chosen", self.chosen); }
 };
 
 }  // namespace riprap

@@ -32,6 +32,9 @@ struct SupportChoice {
         },
         chosen);
   }
+
+  static void for_each_field(auto& self, auto&& visit) { visit("chosen", self.chosen); }
+
   void validate() const {
     std::visit([](const auto& support) { riprap::validate(support); }, chosen);
   }

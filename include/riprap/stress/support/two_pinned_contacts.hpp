@@ -62,6 +62,8 @@ struct TwoPinnedContacts {
     p.force_body -= pull;
   }
 
+  static void for_each_field(auto& self, auto&& visit) { visit("choice", self.choice); }
+
  private:
   [[nodiscard]] static double stretch(const InfluenceOperator& op, const BoundaryPoint& p,
                                       const BoundaryPoint& q, const Vec2& along,

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// Checkpoints: the whole state of a simulation, its experiment and its observers in one HDF5 file,
+/// from which a run goes on to the same bytes. Needs the library HDF5 (target riprap::hdf5).
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <riprap/checkpoint/durable_file.hpp>
+#include <riprap/checkpoint/fields_of.hpp>
+#include <riprap/checkpoint/hdf5_image.hpp>
+#include <riprap/checkpoint/sealed_image.hpp>
+#include <riprap/core/errors.hpp>
+
+namespace riprap {
+
+namespace internal {
+
+/// What must be the same in the file and in the program.
+template <class Sim>
+struct GivenModel {
+  const Sim& sim;
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("policies", self.sim.model());
+    visit("rock", self.sim.rock());
+  }
+};
+
+/// Objects by their number, with the names of their classes.
+template <class... Parts>
+struct NumberedParts {
+  std::tuple<Parts&...> parts;
+
+  static void for_each_field(auto& self, auto&& visit) {
+    std::size_t k = 0;
+    std::apply([&](auto&... part) { (visit(std::to_string(k++).c_str(), part), ...); }, self.parts);
+  }
+};
+
+/// The policies and the rock, with the names of the policies' classes.
+template <class Sim>
+[[nodiscard]] FieldNode model_fields(const Sim& sim) {
+  FieldNode model;
+  model.path = "checkpoint/model";
+  FieldWriter{.with_types = true}.append(model, GivenModel<Sim>{sim});
+  // Classes that name all their policies, acceleration included.
+  model.type.clear();
+  model.children[0].type.clear();
+  for (FieldNode& part : model.children[0].children) part.type.clear();
+  return model;
+}
+
+/// All fields of a checkpoint.
+/// @tparam Parts the experiment, if there is one, and its observers
+template <class Sim, class... Parts>
+[[nodiscard]] FieldNode checkpoint_fields(const Sim& sim, const Parts&... parts) {
+  FieldNode top;
+  top.path = "checkpoint";
+  top.rows = 1;
+  const FieldWriter writer;
+  top.child_at(0, "model") = model_fields(sim);
+  writer.append(top.child_at(1, "simulation"), sim);
+  writer.append(top.child_at(2, "parts"), NumberedParts<const Parts...>{{parts...}});
+  std::size_t k = 0;
+  ((top.children[2].children[k++].type = type_name<Parts>()), ...);
+  return top;
+}
+
+template <class Sim, class... Parts>
+void require_same_model(FieldNode& top, const std::string& path, const Sim& sim, const Parts&...) {
+  if (const auto what = difference(top.child("model"), model_fields(sim)))
+    throw InvalidInput(path + " is of another model: " + *what);
+  const std::vector<FieldNode>& parts = top.child("parts").children;
+  const std::vector<std::string> types{std::string(type_name<Parts>())...};
+  if (parts.size() != types.size())
+    throw InvalidInput(path + " holds " + std::to_string(parts.size()) +
+                       " experiments and observers, the program has " +
+                       std::to_string(types.size()));
+  for (std::size_t k = 0; k < types.size(); ++k)
+    if (parts[k].type != types[k])
+      throw InvalidInput(path + ": number " + std::to_string(k) +
+                         " of the experiment and its observers is " + parts[k].type +
+                         " in the file and " + types[k] + " in the program");
+}
+
+}  // namespace internal
+
+/// Writes the state of a simulation, between two steps, and of its experiment and observers, in
+/// this order, if there are any. The file is on the disk as a whole when the function returns;
+/// until then one that stood at `path` is as it was.
+/// Throws SimulationError if it cannot be written. A part with state that it does not name
+/// (core/fields.hpp) is refused at compile time.
+template <class Sim, class... Parts>
+void write_checkpoint(const std::string& path, const Sim& sim, const Parts&... parts) {
+  std::vector<std::byte> image = to_hdf5_image(internal::checkpoint_fields(sim, parts...));
+  seal_image(image);
+  write_durable_file(path, image);
+}
+
+/// Reads the state into a simulation of the same model and rock, of any assembly, and into its
+/// experiment and observers. Acceleration and number of threads may be others.
+/// Throws DamagedCheckpoint for a file that is truncated, damaged or no checkpoint, InvalidInput
+/// for one of another schema, model or other parts; nothing has been changed then.
+template <class Sim, class... Parts>
+void read_checkpoint(const std::string& path, Sim& sim, Parts&... parts) {
+  const std::vector<std::byte> image = read_whole_file(path);
+  check_sealed_image(image, path);
+  FieldNode top = from_hdf5_image(image, "checkpoint");
+  internal::require_same_model(top, path, sim, parts...);
+  read_fields(top.child("simulation"), sim);
+  restored(sim);
+  internal::NumberedParts<Parts...> numbered{{parts...}};
+  read_fields(top.child("parts"), numbered);
+  restored(numbered);
+}
+
+}  // namespace riprap

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// A folder of checkpoints, of which the last two are kept. Needs the library HDF5.
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <riprap/checkpoint/checkpoint.hpp>
+#include <riprap/core/errors.hpp>
+
+namespace riprap {
+
+/// Checkpoints `checkpoint_000000012000.h5` and so on, named by the number of steps.
+class CheckpointFolder {
+ public:
+  explicit CheckpointFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// Writes a checkpoint and then removes those before the last two. Makes the folder if it is not
+  /// there. Throws SimulationError if one cannot be written.
+  template <class Sim, class... Parts>
+  void write(const Sim& sim, const Parts&... parts) const {
+    std::error_code error;
+    std::filesystem::create_directories(folder_, error);
+    const std::string digits = std::to_string(sim.steps());
+    const std::string name =
+        "checkpoint_" + std::string(digits.size() < 12 ? 12 - digits.size() : 0, '0') + digits;
+    write_checkpoint((folder_ / (name + ".h5")).string(), sim, parts...);
+    const std::vector<std::filesystem::path> all = files();
+    for (std::size_t k = 2; k < all.size(); ++k) std::filesystem::remove(all[k], error);
+  }
+
+  /// Of all checkpoints in the folder, the newest first.
+  [[nodiscard]] std::vector<std::filesystem::path> files() const {
+    std::vector<std::filesystem::path> found;
+    std::error_code error;  // without a folder there are none
+    for (const auto& entry : std::filesystem::directory_iterator(folder_, error)) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with("checkpoint_") && name.ends_with(".h5")) found.push_back(entry.path());
+    }
+    std::sort(found.rbegin(), found.rend());
+    return found;
+  }
+
+  /// Reads the newest checkpoint; of a damaged one `on_damaged(message)` is told, and the one
+  /// before is read. Returns its file. Throws InvalidInput, as `read_checkpoint` does, and if there
+  /// is none.
+  template <class OnDamaged, class Sim, class... Parts>
+  std::filesystem::path read_newest(OnDamaged&& on_damaged, Sim& sim, Parts&... parts) const {
+    for (const std::filesystem::path& file : files()) {
+      try {
+        read_checkpoint(file.string(), sim, parts...);
+        return file;
+      } catch (const DamagedCheckpoint& error) {
+        on_damaged(error.what());
+      }
+    }
+    throw InvalidInput(folder_.string() + " has no checkpoint that can be read");
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace riprap

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <riprap/checkpoint/checkpoint.hpp>
+#include <riprap/contact/contact_law/contact_law_choice.hpp>
+#include <riprap/contact/contact_law/incremental_spring.hpp>
+#include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
+#include <riprap/contact/contact_law/overlap_area_spring.hpp>
+#include <riprap/contact/contact_law/spring_dashpot.hpp>
+#include <riprap/contact/narrow_phase/narrow_phase_choice.hpp>
+#include <riprap/contact/narrow_phase/overlap_chord.hpp>
+#include <riprap/dynamics/boundary/periodic_cell.hpp>
+#include <riprap/dynamics/boundary/rigid_platens.hpp>
+#include <riprap/dynamics/integrator/integrator_choice.hpp>
+#include <riprap/dynamics/integrator/velocity_verlet.hpp>
+#include <riprap/measurement/energy_ledger.hpp>
+#include <riprap/particle/random_assembly.hpp>
+#include <riprap/particle/random_box_assembly.hpp>
+#include <riprap/simulation/simulation.hpp>
+#include <support/message_of.hpp>
+#include <support/temporary_file.hpp>
+
+using namespace riprap;
+
+namespace {
+
+// Weak rock, so that particles break soon after they touch.
+[[nodiscard]] auto weak_model() {
+  return Model{}.criterion(HoekBrown{.compressive_strength = 3e6});
+}
+
+using AnyLaw = ContactLawChoice<EnergyConservingSpring, LinearSpringCoulomb, OverlapAreaSpring,
+                                IncrementalSpring, SpringDashpot>;
+
+using AnyNarrow = NarrowPhaseChoice<OverlapMoments, OverlapChord>;
+using AnyIntegrator = IntegratorChoice<SymplecticEuler, VelocityVerlet>;
+
+[[nodiscard]] auto model_of(const AnyLaw& law, const AnyNarrow& narrow,
+                            const AnyIntegrator& integrator) {
+  return weak_model().narrow_phase(narrow).contact_law(law).integrator(integrator);
+}
+
+[[nodiscard]] Assembly sample_for(const StrainField&, unsigned seed) {
+  return random_assembly({.count = 40, .seed = seed});
+}
+[[nodiscard]] Assembly sample_for(const RigidPlatens&, unsigned seed) {
+  return random_platen_assembly({.count = 40, .seed = seed});
+}
+[[nodiscard]] Assembly sample_for(const PeriodicCell&, unsigned seed) {
+  return random_periodic_assembly({.count = 40, .seed = seed});
+}
+
+// A sample that is compressed along axis 2, faster and faster: the loop of a user with a state of
+// its own.
+template <class ModelType>
+struct Compression {
+  static constexpr double acceleration = 3000;  // of the rate [1/s^2]
+  double rate = 5;                              // [1/s]
+  EnergyLedger ledger{};
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("rate", self.rate);
+    visit("ledger", self.ledger);
+  }
+
+  void step(Simulation<ModelType>& sim) {
+    rate += acceleration * sim.time_step();
+    sim.boundary().set_rate(0.3 * rate, rate);
+    sim.step(ledger);
+  }
+};
+
+template <class ModelType>
+[[nodiscard]] Simulation<ModelType> simulation_of(const ModelType& model, unsigned seed) {
+  return Simulation<ModelType>{model, sample_for(model.motion_model.boundary, seed), Rock{}};
+}
+
+template <class ModelType>
+[[nodiscard]] std::uint64_t state_of(const Simulation<ModelType>& sim,
+                                     const Compression<ModelType>& experiment) {
+  return digest(internal::checkpoint_fields(sim, experiment));
+}
+
+// Steps at which runs are stopped: around a break, and where contacts slip.
+struct Stops {
+  std::vector<std::uint64_t> steps{};
+  std::uint64_t last = 0;
+  std::uint64_t state = 0;
+};
+
+template <class ModelType>
+[[nodiscard]] Stops stops_of(const ModelType& model) {
+  constexpr std::size_t breaks = 6;
+  constexpr std::uint64_t most_steps = 200'000;
+  auto sim = simulation_of(model, 1);
+  Compression<ModelType> experiment;
+  experiment.ledger.open(sim);
+  Stops stops;
+  while (sim.breaks().size() < breaks && sim.steps() < most_steps) {
+    const double slip = sim.contacts().friction_loss();
+    experiment.step(sim);
+    if (stops.steps.empty() && slip > 0 && sim.contacts().friction_loss() > slip)
+      stops.steps.push_back(sim.steps());
+  }
+  REQUIRE(sim.breaks().size() >= breaks);
+  const std::uint64_t third = sim.breaks()[2].step;
+  for (const std::uint64_t step : {third - 1, third, third + 1}) stops.steps.push_back(step);
+  for (int k = 0; k < 100; ++k) experiment.step(sim);
+  stops.last = sim.steps();
+  stops.state = state_of(sim, experiment);
+  return stops;
+}
+
+// 2 N steps = N steps, restart, N steps, to the last byte of the state.
+template <class ModelType>
+void check_restarts(const ModelType& model) {
+  const Stops stops = stops_of(model);
+  const test::TemporaryFile file;
+  for (const std::uint64_t stop : stops.steps) {
+    CAPTURE(stop);
+    auto first = simulation_of(model, 1);
+    Compression<ModelType> experiment;
+    experiment.ledger.open(first);
+    while (first.steps() < stop) experiment.step(first);
+    write_checkpoint(file.path(), first, experiment);
+
+    auto second = simulation_of(model, 2);  // nothing of it stays
+    Compression<ModelType> other;
+    for (int k = 0; k < 10; ++k) other.step(second);
+    read_checkpoint(file.path(), second, other);
+    CHECK(state_of(second, other) == state_of(first, experiment));
+    while (second.steps() < stops.last) other.step(second);
+    CHECK(state_of(second, other) == stops.state);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("A restarted run gives the same bytes, with each contact law and integrator") {
+  for (const AnyLaw& law :
+       {AnyLaw{EnergyConservingSpring{}}, AnyLaw{LinearSpringCoulomb{}},
+        AnyLaw{OverlapAreaSpring{}}, AnyLaw{IncrementalSpring{}}, AnyLaw{SpringDashpot{}}})
+    check_restarts(model_of(law, AnyNarrow{OverlapChord{}}, AnyIntegrator{SymplecticEuler{}}));
+  for (const AnyLaw& law : {AnyLaw{EnergyConservingSpring{}}, AnyLaw{SpringDashpot{}}})
+    check_restarts(model_of(law, AnyNarrow{OverlapMoments{}}, AnyIntegrator{VelocityVerlet{}}));
+}
+
+TEST_CASE("A restarted run gives the same bytes, with each boundary") {
+  for (const AnyLaw& law : {AnyLaw{EnergyConservingSpring{}}, AnyLaw{SpringDashpot{}}}) {
+    const auto model = model_of(law, AnyNarrow{OverlapMoments{}}, AnyIntegrator{VelocityVerlet{}});
+    check_restarts(model.boundary(RigidPlatens{}));
+    check_restarts(model.boundary(PeriodicCell{}));
+  }
+}
+
+TEST_CASE("Acceleration may be another one after the restart") {
+  const auto model = weak_model();
+  const auto plain = model.without_acceleration();
+  auto sim = simulation_of(model, 1);
+  sim.boundary().set_rate(10, 30);
+  for (int k = 0; k < 3000; ++k) sim.step();
+  const test::TemporaryFile file;
+  write_checkpoint(file.path(), sim);
+  auto other = simulation_of(plain, 2);
+  read_checkpoint(file.path(), other);
+  for (int k = 0; k < 500; ++k) {
+    sim.step();
+    other.step();
+  }
+  CHECK(digest(internal::checkpoint_fields(sim)) == digest(internal::checkpoint_fields(other)));
+}
+
+TEST_CASE("The same state gives the same file") {
+  auto sim = simulation_of(weak_model(), 1);
+  for (int k = 0; k < 100; ++k) sim.step();
+  const test::TemporaryFile one;
+  const test::TemporaryFile two;
+  write_checkpoint(one.path(), sim);
+  write_checkpoint(two.path(), sim);
+  CHECK(one.text().size() > 10'000);
+  CHECK(one.text() == two.text());
+}
+
+TEST_CASE("What an experiment has changed in the policies is part of the state") {
+  const auto model = weak_model();
+  auto sim = simulation_of(model, 1);
+  sim.contact_law().friction = 0.1;
+  sim.damping().coefficient = 0.2;
+  sim.set_body_force({0, -9.81});
+  sim.set_time_step(1e-7);
+  sim.set_breakage(false);
+  const test::TemporaryFile file;
+  write_checkpoint(file.path(), sim);
+  auto other = simulation_of(model, 2);
+  read_checkpoint(file.path(), other);
+  CHECK(other.contact_law().friction == 0.1);
+  CHECK(other.damping().coefficient == 0.2);
+  CHECK(other.body_force().acceleration == Vec2{0, -9.81});
+  CHECK(other.time_step() == 1e-7);
+  CHECK_FALSE(other.breakage());
+}
+
+TEST_CASE(
+    "A checkpoint of another model, rock or experiment is refused with the first difference") {
+  auto sim = simulation_of(weak_model(), 1);
+  const test::TemporaryFile file;
+  EnergyLedger ledger;
+  write_checkpoint(file.path(), sim, ledger);
+  const auto message = [&](auto&& other, auto&... parts) {
+    const std::uint64_t before = digest(internal::checkpoint_fields(other));
+    std::string text = test::message_of([&] { read_checkpoint(file.path(), other, parts...); });
+    CHECK(digest(internal::checkpoint_fields(other)) == before);
+    return text.substr(text.find(" is of another model: ") == text.npos
+                           ? file.path().size()
+                           : text.find(" is of another model: "));
+  };
+  CHECK(message(simulation_of(weak_model().damping(LocalDamping{0.5}), 1), ledger) ==
+        " is of another model: checkpoint/model/policies/motion/damping/coefficient is 0.7 in the "
+        "file and 0.5 in the program");
+  CHECK(
+      message(simulation_of(Model{}, 1), ledger) ==
+      " is of another model: checkpoint/model/policies/breakage/criterion/compressive_strength is "
+      "3e+06 in the file and 3e+08 in the program");
+  CHECK(test::contains(message(simulation_of(weak_model().integrator(VelocityVerlet{}), 1), ledger),
+                       "SymplecticEuler in the file and "));
+  CHECK(test::contains(
+      message(Simulation{weak_model(), sample_for(StrainField{}, 1), Rock{.young = 1e9}}, ledger),
+      "checkpoint/model/rock/young is 7e+10 in the file and 1e+09 in the program"));
+  CHECK(message(simulation_of(weak_model(), 1)) ==
+        " holds 1 experiments and observers, the program has 0");
+  Compression<decltype(weak_model())> other_experiment;
+  CHECK(test::contains(message(simulation_of(weak_model(), 1), other_experiment),
+                       "EnergyLedger in the file and "));
+}
+
+TEST_CASE("A damaged file is refused and nothing is changed") {
+  auto sim = simulation_of(weak_model(), 1);
+  const test::TemporaryFile file;
+  write_checkpoint(file.path(), sim);
+  const std::string whole = file.text();
+  sim.step();
+  const std::uint64_t before = digest(internal::checkpoint_fields(sim));
+  const auto refused = [&](const std::string& text) {
+    write_durable_file(file.path(), std::as_bytes(std::span(text)));
+    try {
+      read_checkpoint(file.path(), sim);
+      return false;
+    } catch (const DamagedCheckpoint&) {
+      return digest(internal::checkpoint_fields(sim)) == before;
+    }
+  };
+  for (std::size_t k = 0; k < 97; ++k) {
+    const std::size_t place = k * whole.size() / 97;
+    CAPTURE(place);
+    CHECK(refused(whole.substr(0, place)));
+    std::string flipped = whole;
+    flipped[place] = static_cast<char>(flipped[place] ^ 1 << (k % 8));
+    CHECK(refused(flipped));
+  }
+  CHECK(refused("POLYGON ((0 0, 1 0, 0 1))"));
+}
