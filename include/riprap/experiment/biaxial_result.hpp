@@ -4,21 +4,16 @@
 /// The result of a biaxial test.
 
 #include <array>
-#include <cstdint>
+#include <cstddef>
 
+#include <riprap/experiment/path_result.hpp>
 #include <riprap/experiment/stage.hpp>
 
 namespace riprap {
 
 /// What a biaxial test leaves beside the observers' records.
 struct BiaxialResult {
-  struct StageResult {
-    std::uint64_t steps = 0;
-    double wall_seconds = 0;
-    std::uint64_t saturated_steps = 0;  ///< in which a servo's rate was at its limit
-    /// False: the cap on its steps or a stop ended the stage, or it was not reached.
-    bool reached_target = false;
-  };
+  using StageResult = riprap::StageResult;
   std::array<StageResult, 4> stages;  ///< in the order of Stage
   bool interrupted = false;           ///< an observer's stop_requested ended the test
   double axial_rate = 0;              ///< of shear [1/s]

@@ -4,12 +4,15 @@
 /// The biaxial test: compaction, relaxation, hydrostatic pressure, shear.
 
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 
 #include <riprap/core/errors.hpp>
 #include <riprap/dynamics/boundary/concepts.hpp>
 #include <riprap/experiment/biaxial_result.hpp>
 #include <riprap/experiment/biaxial_run.hpp>
+#include <riprap/experiment/loading_path.hpp>
+#include <riprap/experiment/preparation.hpp>
 
 namespace riprap {
 
@@ -37,15 +40,52 @@ struct BiaxialTest {
     require_positive("BiaxialTest.confining_pressure", confining_pressure);
     require(axial_strain >= 0 && axial_strain < 0.9, "BiaxialTest.axial_strain", axial_strain,
             "must lie in [0, 0.9)");
-    require_positive("BiaxialTest.inertial_number", inertial_number);
     require_positive("BiaxialTest.record_every", record_every);
-    require_positive("BiaxialTest.jam_pressure", jam_pressure);
-    require_positive("BiaxialTest.jam_kinetic_ratio", jam_kinetic_ratio);
-    require_positive("BiaxialTest.compaction_inertial_number", compaction_inertial_number);
-    require_positive("BiaxialTest.rest_unbalanced_force", rest_unbalanced_force);
-    require_positive("BiaxialTest.hydrostatic_tolerance", hydrostatic_tolerance);
-    require_positive("BiaxialTest.hydrostatic_unbalanced_force", hydrostatic_unbalanced_force);
+    preparation().validate("BiaxialTest");
     require_positive("BiaxialTest.confinement_tolerance", confinement_tolerance);
+  }
+
+  /// The stages before shear.
+  [[nodiscard]] Preparation preparation() const {
+    return {.inertial_number = inertial_number,
+            .jam_pressure = jam_pressure,
+            .jam_kinetic_ratio = jam_kinetic_ratio,
+            .compaction_inertial_number = compaction_inertial_number,
+            .rest_unbalanced_force = rest_unbalanced_force,
+            .hydrostatic_tolerance = hydrostatic_tolerance,
+            .hydrostatic_unbalanced_force = hydrostatic_unbalanced_force,
+            .most_steps = most_steps};
+  }
+
+  /// All four stages, as data.
+  [[nodiscard]] LoadingPath<> path() const {
+    LoadingPath<> path{.confining_pressure = confining_pressure,
+                       .stages = preparation().stages(confining_pressure)};
+    const LoadingRate rate{.inertial_number = inertial_number, .pressure = confining_pressure};
+    path.stages.push_back(
+        {.name = "shear",
+         .axis_1 = ControlledStress{.stress = confining_pressure,
+                                    .control = {.expected_rate = rate,
+                                                .tolerance = confinement_tolerance}},
+         .axis_2 = EngineeringRate{.rate_of_strain = rate},
+         .end = StrainReached{.strain = axial_strain},
+         .record_every = record_every,
+         .most_steps = std::numeric_limits<std::uint64_t>::max()});
+    return path;
+  }
+
+  /// The run before its first step; simulation and observers must outlive it.
+  template <class Sim, class... Observers>
+  [[nodiscard]] auto start(Sim& sim, Observers&... observers) const {
+    (hooks::check_loading_observer<std::remove_cv_t<Observers>, Sim>(), ...);
+    using BoundaryT = std::remove_cvref_t<decltype(sim.boundary())>;
+    if constexpr (check_sample_boundary<BoundaryT>()) {
+      validate();
+      return BiaxialRun<Sim, Observers...>(confining_pressure, inertial_number, path().stages, sim,
+                                           observers...);
+    } else {
+      return internal::NoRun{};  // does not compile; this keeps it to one error
+    }
   }
 
   /// Runs all four stages. Observers get the hooks of a simulation step and, with a BiaxialView,
@@ -55,14 +95,7 @@ struct BiaxialTest {
   /// result says `interrupted`.
   template <class Sim, class... Observers>
   BiaxialResult run(Sim& sim, Observers&&... observers) const {
-    (hooks::check_biaxial_observer<std::remove_cvref_t<Observers>, Sim>(), ...);
-    using BoundaryT = std::remove_cvref_t<decltype(sim.boundary())>;
-    if constexpr (check_sample_boundary<BoundaryT>()) {
-      validate();
-      return internal::BiaxialRun<BiaxialTest, Sim, Observers...>(*this, sim, observers...).run();
-    } else {
-      return {};  // does not compile; this keeps it to one error
-    }
+    return start(sim, observers...).run();
   }
 };
 

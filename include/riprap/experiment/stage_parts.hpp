@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// Calls of the controls and of the end condition of a stage.
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <variant>
+
+#include <riprap/core/vec2.hpp>
+#include <riprap/experiment/loading_concepts.hpp>
+#include <riprap/experiment/path_result.hpp>
+
+namespace riprap::internal {
+
+[[gnu::cold]] void begin_axis(auto& control, const auto& view, int axis) {
+  std::visit([&](auto& c) { begin_part(c, view, axis); }, control);
+}
+[[gnu::cold]] void begin_parts(auto& stage, const auto& view) {
+  begin_axis(stage.axis_1, view, 1);
+  begin_axis(stage.axis_2, view, 2);
+  std::visit([&](auto& c) { begin_part(c, view); }, stage.end);
+}
+
+[[nodiscard]] bool ask_variant(auto& end, const auto& view) {
+  return std::visit([&](auto& c) -> bool { return ask(c, view); }, end);
+}
+[[nodiscard]] double share_done_of(const auto& end, const auto& view) {
+  return std::visit([&](const auto& c) -> double { return share_done(c, view); }, end);
+}
+
+/// Whether a control is given the rate of the other axis.
+template <class View>
+[[nodiscard]] bool follows(const auto& control) {
+  return std::visit(
+      [](const auto& c) {
+        return !requirements::ControlRate<std::remove_cvref_t<decltype(c)>, View>;
+      },
+      control);
+}
+
+template <class View>
+[[nodiscard]] double rate_of(auto& control, const View& view, int axis, double other) {
+  return std::visit(
+      [&](auto& c) -> double {
+        if constexpr (requirements::ControlRate<std::remove_cvref_t<decltype(c)>, View>)
+          return c.rate(view, axis);
+        else
+          return c.rate(view, axis, other);
+      },
+      control);
+}
+
+/// Shortening rates of both axes for the next step [1/s]; an axis that follows comes second.
+template <class View>
+[[nodiscard]] Vec2 wanted_rates(auto& stage, const View& view) {
+  if (follows<View>(stage.axis_1)) {
+    const double second = rate_of(stage.axis_2, view, 2, 0);
+    return {rate_of(stage.axis_1, view, 1, second), second};
+  }
+  const double first = rate_of(stage.axis_1, view, 1, 0);
+  return {first, rate_of(stage.axis_2, view, 2, first)};
+}
+
+/// What the servos say of the stage so far; of two, what is worse.
+template <class View>
+void account(const auto& stage, View& view, StageResult& result) {
+  result.steps = view.stage_steps;
+  result.saturated_steps = 0;
+  result.mean_error = 0;
+  result.rms_error = 0;
+  for (const auto* control : {&stage.axis_1, &stage.axis_2})
+    std::visit(
+        [&](const auto& c) {
+          const auto* servo = servo_of(c);
+          if (servo == nullptr) return;
+          result.saturated_steps += servo->saturated();
+          result.rms_error = std::max(result.rms_error, servo->rms_error());
+          if (std::abs(servo->mean_error()) > std::abs(result.mean_error))
+            result.mean_error = servo->mean_error();
+        },
+        *control);
+  view.mean_confinement_error = result.mean_error;
+  view.saturated_share =
+      static_cast<double>(result.saturated_steps) / static_cast<double>(result.steps);
+}
+
+[[nodiscard]] bool is_axis_held(const auto& control) {
+  return std::visit([](const auto& c) { return is_held(c); }, control);
+}
+[[nodiscard]] bool are_held(const auto& stage) {
+  return is_axis_held(stage.axis_1) && is_axis_held(stage.axis_2);
+}
+
+}  // namespace riprap::internal
