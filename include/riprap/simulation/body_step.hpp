@@ -114,7 +114,7 @@ class BodyStep {
   [[nodiscard]] decltype(auto) seen_by_damping(const Body& body) const {
     if constexpr (Domain::periodic) {
       Body seen = body;
-      seen.velocity += componentwise_product(domain_.rate, body.position - domain_.centre);
+      seen.velocity -= domain_.field(body.position - domain_.centre);
       return seen;
     } else {
       return (body);
