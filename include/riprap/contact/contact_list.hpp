@@ -186,6 +186,8 @@ class ContactList {
       pair.crosses_boundary = pair.image != Image{};
       pair.at_platen = particles.body(pair.a).motion == Motion::platen ||
                        particles.body(pair.b).motion == Motion::platen;
+      pair.a_is_wall = particles.body(pair.a).is_wall();
+      pair.b_is_wall = particles.body(pair.b).is_wall();
     }
     partition_pairs(pairs(), particles.size(), tasks_);
     touching_.resize(list_.size());

@@ -17,6 +17,7 @@
 #include <riprap/particle/assembly.hpp>
 #include <riprap/particle/particles.hpp>
 #include <riprap/particle/smallest_mass.hpp>
+#include <riprap/simulation/body_settings.hpp>
 #include <riprap/simulation/body_step.hpp>
 #include <riprap/simulation/break_event.hpp>
 #include <riprap/simulation/breakage_stage.hpp>
@@ -108,6 +109,12 @@ class Simulation {
   [[nodiscard]] double time_step() const { return time_step_; }  ///< [s]
   [[nodiscard]] double time() const { return time_; }            ///< [s]
   [[nodiscard]] const BodyWork& work() const { return work_; }
+  /// Force [N] of all contacts on body i, a wall or any other, and their moment about its centroid
+  /// c [N m]; about a point p: moment + cross(c - p, force). Zero moment for a platen.
+  [[nodiscard]] const Wrench& force_on(BodyIndex i) const {
+    require_body(particles_, i);
+    return particles_.body(i).contact;
+  }
   [[nodiscard]] const std::vector<BreakEvent>& breaks() const { return breaks_; }
   /// Mean area of the intact particles at the start, platens and prescribed bodies left out [m^2],
   /// and the mass of the smallest free one [kg].
@@ -121,17 +128,15 @@ class Simulation {
   /// Gives body i a velocity [m/s] and a spin [rad/s]. Throws InvalidInput for a body that is not
   /// there and for numbers that are not finite.
   void set_velocity(BodyIndex i, const Vec2& velocity, double spin = 0) {
-    require_body(i);
-    if (!is_finite(velocity) || !std::isfinite(spin))
-      throw InvalidInput(particle_text(particles_.ancestry(i).id) + ": velocity (" +
-                         to_text(velocity.x()) + ", " + to_text(velocity.y()) + ") m/s, spin " +
-                         to_text(spin) + " rad/s: must be finite");
-    particles_.body(i).velocity = velocity;
-    particles_.body(i).angular_velocity = spin;
+    set_body_velocity(particles_, i, velocity, spin);
+  }
+  /// The same with the velocity of its material point at `point` [m], about which it turns.
+  void set_velocity_about(BodyIndex i, const Vec2& point, const Vec2& velocity, double spin) {
+    set_body_velocity_about(particles_, i, point, velocity, spin);
   }
   /// Frees or holds body i. Chooses the time step anew, for a lighter body may be free now.
   void set_motion(BodyIndex i, Motion motion) {
-    require_body(i);
+    require_body(particles_, i);
     particles_.body(i).motion = motion;
     contacts_.invalidate();
     choose_time_step();
@@ -181,15 +186,11 @@ class Simulation {
   }
 
  private:
-  void require_body(BodyIndex i) const {
-    require(i < particles_.size(), "body", i, "must be in the simulation");
-  }
-
   [[nodiscard]] StressQuery<ModelType, Contacts> stress_query() const {
     return {model_, rock_, particles_, contacts_, breakage_};
   }
   [[nodiscard]] StressQuery<ModelType, Contacts> stress_query(BodyIndex i) const {
-    require_body(i);
+    require_body(particles_, i);
     return stress_query();
   }
 

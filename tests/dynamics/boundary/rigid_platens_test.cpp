@@ -84,10 +84,11 @@ TEST_CASE("a side without a platen is an error") {
   Assembly three = uneven;
   three.particles[2].motion = Motion::free;
   RigidPlatens platens;
-  CHECK_THROWS_WITH_AS(platens.enclose(three, placed(three)),
-                       "RigidPlatens needs four bodies of Motion::platen, one on each side of the "
-                       "middle between them; the assembly has 3",
-                       InvalidInput);
+  CHECK_THROWS_WITH_AS(
+      platens.enclose(three, placed(three)),
+      "RigidPlatens needs four bodies of Motion::platen or Motion::wall, one on each side of the "
+      "middle between them; the assembly has 3",
+      InvalidInput);
   Assembly twice = uneven;
   twice.particles[2].polygon = box({-9, 5}, {9, 6});
   CHECK_THROWS_AS(platens.enclose(twice, placed(twice)), InvalidInput);
