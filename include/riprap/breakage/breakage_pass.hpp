@@ -47,6 +47,9 @@ class BreakagePass {
     return cracks_;
   }
 
+  /// Particle i was removed; those behind it have moved up.
+  void remove(BodyIndex i) { refused_.remove(i); }
+
  private:
   // Evaluates particle i and stores its crack, or that its cut was refused.
   template <class Input>

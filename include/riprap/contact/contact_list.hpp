@@ -143,6 +143,14 @@ class ContactList {
     detection_.forget_all();
   }
 
+  /// After body i was removed, and those behind it have moved up: the next update, which must come
+  /// at once, finds the other contacts with their histories.
+  void remove(BodyIndex i) {
+    list_.remove(i);
+    detection_.carry(list_.map());
+    list_state_.invalidate();
+  }
+
   /// After the particle at `parent` has broken, with its second piece at the highest index: the
   /// next update hands the histories of its contacts to those of its pieces.
   /// @param of_second whether a point [m] lies on the side of the second piece

@@ -17,11 +17,13 @@ struct BodyWork {
   double boundary = 0;    ///< done by driven bodies, or by a shrinking cell, on the rest
   double body_force = 0;  ///< done by the body force
   double damping = 0;     ///< taken out by damping
+  double added = 0;       ///< kinetic and stored, of bodies added less those removed
 
   BodyWork& operator+=(const BodyWork& o) {
     boundary += o.boundary;
     body_force += o.body_force;
     damping += o.damping;
+    added += o.added;
     return *this;
   }
 };

@@ -17,6 +17,7 @@
 #include <riprap/particle/assembly.hpp>
 #include <riprap/particle/particles.hpp>
 #include <riprap/particle/smallest_mass.hpp>
+#include <riprap/simulation/body_changes.hpp>
 #include <riprap/simulation/body_settings.hpp>
 #include <riprap/simulation/body_step.hpp>
 #include <riprap/simulation/break_event.hpp>
@@ -36,7 +37,7 @@ namespace riprap {
 ///
 /// Moved, not copied: operators are large.
 template <class ModelType>
-class Simulation {
+class Simulation : public BodyChanges<Simulation<ModelType>> {
  public:
   using Domain = DomainOf<decltype(ModelType::motion_model.boundary)>;
   using Contacts = ContactList<decltype(ModelType::contact_model.broad_phase),
@@ -123,24 +124,8 @@ class Simulation {
   /// Memory held by influence operators [bytes].
   [[nodiscard]] std::size_t operator_bytes() const { return breakage_.operator_bytes(); }
 
-  // What an experiment may change between steps.
+  // What an experiment may change between steps, beside the bodies: see BodyChanges.
 
-  /// Gives body i a velocity [m/s] and a spin [rad/s]. Throws InvalidInput for a body that is not
-  /// there and for numbers that are not finite.
-  void set_velocity(BodyIndex i, const Vec2& velocity, double spin = 0) {
-    set_body_velocity(particles_, i, velocity, spin);
-  }
-  /// The same with the velocity of its material point at `point` [m], about which it turns.
-  void set_velocity_about(BodyIndex i, const Vec2& point, const Vec2& velocity, double spin) {
-    set_body_velocity_about(particles_, i, point, velocity, spin);
-  }
-  /// Frees or holds body i. Chooses the time step anew, for a lighter body may be free now.
-  void set_motion(BodyIndex i, Motion motion) {
-    require_body(particles_, i);
-    particles_.body(i).motion = motion;
-    contacts_.invalidate();
-    choose_time_step();
-  }
   [[nodiscard]] auto& boundary() { return model_.motion_model.boundary; }
   [[nodiscard]] const auto& boundary() const { return model_.motion_model.boundary; }
   [[nodiscard]] auto& contact_law() { return contacts_.law(); }
@@ -186,6 +171,8 @@ class Simulation {
   }
 
  private:
+  friend class BodyChanges<Simulation>;
+
   [[nodiscard]] StressQuery<ModelType, Contacts> stress_query() const {
     return {model_, rock_, particles_, contacts_, breakage_};
   }

@@ -50,6 +50,9 @@ class RigidPlatens {
   /// Throws InvalidInput unless there is one platen on each side.
   void enclose(const Assembly& /*assembly*/, const Particles& particles);
 
+  /// Throws InvalidInput for a platen of its own.
+  void remove(BodyIndex i);
+
   void drive(std::vector<Body>& bodies, double /*time_step*/) const;
 
   [[nodiscard]] PlatenRegion region(const Particles& particles) const;

@@ -40,6 +40,13 @@ RIPRAP_INLINE void RigidPlatens::enclose(const Assembly& /*assembly*/, const Par
   centre_ = region(particles).centre();
 }
 
+RIPRAP_INLINE void RigidPlatens::remove(BodyIndex i) {
+  for (const Platen& p : platens_)
+    require(p.body != i, "RigidPlatens: body", i, "is a platen of the sample and must stay");
+  for (Platen& p : platens_)
+    if (p.body > i) --p.body;
+}
+
 RIPRAP_INLINE void RigidPlatens::drive(std::vector<Body>& bodies, double /*time_step*/) const {
   const auto [low, high] = faces([&bodies](BodyIndex i) { return bodies[i].position; });
   for (const Platen& p : platens_) {
