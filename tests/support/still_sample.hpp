@@ -71,6 +71,7 @@ class StillSample {
     double boundary = 0;
     double body_force = 0;
     double damping = 0;
+    double load = 0;
     double added = 0;
   };
 

@@ -12,11 +12,13 @@
 namespace riprap {
 
 /// Energy since the ledger was opened [J]:
-/// boundary_work + body_force_work + added = kinetic + stored + slip + dashpot + damping + breakage
+/// boundary_work + body_force_work + load_work + added = kinetic + stored + slip + dashpot +
+/// damping + breakage
 ///                                   + law_residual + unclosed.
 struct EnergyTerms {
   double boundary_work = 0;    ///< done by driven bodies, or by the shrinking of a periodic cell
   double body_force_work = 0;  ///< done by the body force
+  double load_work = 0;        ///< done by external loads
   double added = 0;            ///< with bodies that were added, less those removed
   double kinetic = 0;          ///< change of kinetic energy of the free bodies
   double stored = 0;           ///< change of energy stored in the contacts
@@ -33,8 +35,8 @@ struct EnergyTerms {
   }
   /// What the terms leave over: an error of the bookkeeping or of the integrator.
   [[nodiscard]] double unclosed() const {
-    return boundary_work + body_force_work + added - kinetic - stored - slip - dashpot - damping -
-           breakage - law_residual;
+    return boundary_work + body_force_work + load_work + added - kinetic - stored - slip - dashpot -
+           damping - breakage - law_residual;
   }
 };
 
@@ -100,6 +102,7 @@ class EnergyLedger {
     const Totals now = totals(sim);
     t.boundary_work = now.boundary - start_.boundary;
     t.body_force_work = now.body_force - start_.body_force;
+    t.load_work = now.load - start_.load;
     t.added = now.added - start_.added;
     t.damping = now.damping - start_.damping;
     t.kinetic = now.kinetic - start_.kinetic;
@@ -113,6 +116,7 @@ class EnergyLedger {
   struct Totals {
     double boundary = 0;
     double body_force = 0;
+    double load = 0;
     double added = 0;
     double damping = 0;
     double kinetic = 0;
@@ -125,6 +129,7 @@ class EnergyLedger {
   [[nodiscard]] static Totals totals(const Sim& sim) {
     return {sim.work().boundary,
             sim.work().body_force,
+            sim.work().load,
             sim.work().added,
             sim.work().damping,
             kinetic_energy(sim.particles()),

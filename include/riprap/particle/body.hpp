@@ -23,6 +23,12 @@ struct Wrench {
     force.y() -= f.y();
     moment -= m;
   }
+
+  template <class Self, class Visit>
+  static void for_each_field(Self& self, Visit&& visit) {
+    visit("force", self.force);
+    visit("moment", self.moment);
+  }
 };
 
 /// What decides a body's velocity.

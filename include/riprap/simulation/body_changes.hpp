@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// What a program may do to bodies between steps: move, free, hold, add and remove them.
+/// What a program may do to bodies between steps: move, free, hold, load, add and remove them.
 
 #include <algorithm>
+#include <cmath>
 
 #include <riprap/core/errors.hpp>
 #include <riprap/geometry/convex_polygon.hpp>
@@ -35,6 +36,20 @@ class BodyChanges {
     sim().contacts_.invalidate();
     sim().choose_time_step();
   }
+
+  /// Puts a force [N] and a moment about its centroid [N m] on the body with an id, in laboratory
+  /// axes, until they are set anew; zeros take them away. They act while the body is free, and end
+  /// when it breaks. Their work is `work().load`. Stress in the particle is found with the load
+  /// spread over its mass, as a body force is, under InertiaRelief. Throws InvalidInput if there is
+  /// no such body and for numbers that are not finite.
+  void set_load(ParticleId id, const Vec2& force, double moment = 0) {
+    const BodyIndex i = index_of(id);
+    if (!is_finite(force) || !std::isfinite(moment))
+      throw InvalidInput(particle_text(id) + ": load (" + to_text(force.x()) + ", " +
+                         to_text(force.y()) + ") N, " + to_text(moment) + " N m: must be finite");
+    sim().loads_.set(i, {force, moment});
+  }
+  [[nodiscard]] Wrench load_on(ParticleId id) const { return sim().loads_.of(index_of(id)); }
 
   /// Adds a body, at the highest index, and finds its contacts. Its energy, with that of the
   /// contacts, is booked in `work().added`. If it is free and lighter than all, the time step
@@ -109,6 +124,7 @@ class BodyChanges {
     sim().particles_.remove(i);
     sim().contacts_.remove(i);
     sim().breakage_.remove(i, count);
+    sim().loads_.remove(i);
     update_contacts();
   }
   void update_contacts() {

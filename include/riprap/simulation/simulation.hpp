@@ -22,6 +22,7 @@
 #include <riprap/simulation/body_step.hpp>
 #include <riprap/simulation/break_event.hpp>
 #include <riprap/simulation/breakage_stage.hpp>
+#include <riprap/simulation/external_loads.hpp>
 #include <riprap/simulation/model.hpp>
 #include <riprap/simulation/observer.hpp>
 #include <riprap/simulation/replace_by_pieces.hpp>
@@ -182,7 +183,7 @@ class Simulation : public BodyChanges<Simulation<ModelType>> {
   }
 
   [[nodiscard]] auto body_step() {
-    return BodyStep(model_.motion_model, contacts_.domain(), time_step_);
+    return BodyStep(model_.motion_model, contacts_.domain(), time_step_, loads_.all());
   }
 
   // Forces of the present poses move the bodies to the next ones.
@@ -254,6 +255,7 @@ class Simulation : public BodyChanges<Simulation<ModelType>> {
     else
       contacts_.divide(i, second, on_right);
     breakage_.forget(i);
+    loads_.forget(i);
     breaks_.push_back(event);
   }
 
@@ -267,6 +269,7 @@ class Simulation : public BodyChanges<Simulation<ModelType>> {
   Rock rock_;
   Particles particles_;
   Contacts contacts_;
+  ExternalLoads loads_;
   [[no_unique_address]] BreakageStage<ModelType> breakage_;
   double smallest_mass_ = 0;
   double mean_area_ = 0;
