@@ -26,3 +26,15 @@ TEST_CASE("a refused cut is identified by the ids of the partners, whatever thei
   CHECK_FALSE(refused.contains(particles, 0, Loads{from(1), from(3)}));
   CHECK_FALSE(refused.contains(particles, 0, Loads{from(1), from(2)}));
 }
+
+TEST_CASE("refused cuts move up when a particle before them is removed") {
+  const Particles particles = test::four_triangles();
+  const std::vector<ContactLoad> loads{ContactLoad{.partner = 1}};
+  RefusedCuts refused;
+  refused.remove(0);  // nothing is known yet
+  refused.resize(particles.size());
+  refused.add(particles, 2, loads);
+  refused.remove(0);
+  CHECK(refused.contains(particles, 1, loads));
+  CHECK_FALSE(refused.contains(particles, 2, loads));
+}

@@ -175,6 +175,7 @@ namespace {
 struct Doubled {
   double number = 1;
   double twice = 2;  // derived
+  static constexpr bool has_derived_fields = true;
 
   static void for_each_field(auto& self, auto&& visit) { visit("number", self.number); }
   void restored() { twice = 2 * number; }
@@ -182,6 +183,7 @@ struct Doubled {
 struct Sum {
   std::vector<Doubled> parts{};
   double sum = 0;
+  static constexpr bool has_derived_fields = true;
 
   static void for_each_field(auto& self, auto&& visit) { visit("parts", self.parts); }
   void restored() {
@@ -201,4 +203,24 @@ TEST_CASE("What is derived is computed anew, of the parts before the whole") {
   CHECK(to.sum == 0);
   restored(to);
   CHECK(to.sum == 14);
+}
+
+namespace {
+
+struct Forgetful {
+  double named = 1;
+  Vec2 point{0, 0};
+  std::vector<double> forgotten{};
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("named", self.named);
+    visit("point", self.point);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("A member that is not named is found") {
+  CHECK(test::contains(test::message_of([] { (void)fields_of(Forgetful{}, "f"); }),
+                       "Forgetful names 24 of 48 bytes"));
 }

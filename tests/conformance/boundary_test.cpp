@@ -80,6 +80,21 @@ struct StiffCell : PeriodicCell {
   void drift(double) {}
 };
 
+/// The cell, the shear of which acts along the wrong direction.
+struct ContraryCell : PeriodicCell {
+  void drift(double time_step) {
+    const double rate = shear_rate();
+    PeriodicCell::set_shear_rate(-rate);
+    PeriodicCell::drift(time_step);
+    PeriodicCell::set_shear_rate(rate);
+  }
+};
+
+/// The cell that takes tensor components of shear.
+struct TensorCell : PeriodicCell {
+  void set_shear_rate(double rate) { PeriodicCell::set_shear_rate(2 * rate); }
+};
+
 /// The ring, with another region.
 template <class RegionType>
 struct Measured : StrainField {
@@ -109,6 +124,10 @@ struct FullAxes : BoundaryPolygon {
 TEST_CASE("the boundaries of riprap obey the axioms about their assemblies") {
   CHECK(to_text(boundary_violations(StrainField{}, ring)) == "");
   CHECK(to_text(boundary_violations(RigidPlatens{}, box)) == "");
+  Assembly rough = box;
+  for (PlacedParticle& p : rough.particles)
+    if (p.motion == Motion::platen) p.motion = Motion::wall;
+  CHECK(to_text(boundary_violations(RigidPlatens{}, rough)) == "");
   CHECK(to_text(boundary_violations(PeriodicCell{}, cell)) == "");
   for (const Assembly& any : {ring, box, cell})
     CHECK(to_text(boundary_violations(NoBoundary{}, any)) == "");
@@ -157,6 +176,14 @@ TEST_CASE("a boundary that strains at other rates than were set is reported") {
   });
   check_violated(creep, "the area shrinks at the sum of the rates");
   check_violated(boundary_violations(Measured<FullAxes>{}, ring), "axis 1 shortens at its rate");
+}
+
+TEST_CASE("a cell whose images move otherwise than it says is reported") {
+  check_violated(boundary_violations(StiffCell{}, cell),
+                 "an image moves at the velocity of its domain");
+  check_violated(boundary_violations(ContraryCell{}, cell),
+                 "an image moves at the velocity of its domain");
+  check_violated(boundary_violations(TensorCell{}, cell), "simple shear has the rate that was set");
 }
 
 TEST_CASE("a boundary that measures its region wrongly is reported") {

@@ -220,3 +220,21 @@ TEST_CASE("the pool is cleared now and then, not at every break") {
   // k breaks leave 4 k dead vertices of 80 + 4 k: more than half of them for the first time at 21.
   CHECK(cleared == 10);
 }
+
+TEST_CASE("particles behind a removed one move up, and its id is not used again") {
+  Particles particles(1, 1);
+  for (const double x : {0.0, 2.0, 4.0, 6.0})
+    particles.add(unit_square().moved({}, {x, 0}), Motion::free);
+  particles.remove(1);
+  REQUIRE(particles.size() == 3);
+  CHECK(particles.body(1).position == Vec2{4.5, 0.5});
+  CHECK(particles.ring(1)[0] == Vec2{4, 0});
+  CHECK(particles.ancestry(2).id == 3);
+  CHECK(particles.find(3) == BodyIndex{2});
+  CHECK_FALSE(particles.find(1).has_value());
+  particles.remove(0);
+  particles.remove(1);  // the vertices of most are dead now
+  CHECK(particles.shape(0).first == 0);
+  CHECK(particles.ring(0)[2] == Vec2{5, 1});
+  CHECK(particles.ancestry(particles.add(unit_square(), Motion::free)).id == 4);
+}

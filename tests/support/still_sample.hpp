@@ -71,6 +71,8 @@ class StillSample {
     double boundary = 0;
     double body_force = 0;
     double damping = 0;
+    double load = 0;
+    double added = 0;
   };
 
   explicit StillSample(const Cross& cross = {}, const LinearSpringCoulomb& law = {})

@@ -47,6 +47,9 @@ class BreakagePass {
     return cracks_;
   }
 
+  /// Particle i was removed; those behind it have moved up.
+  void remove(BodyIndex i) { refused_.remove(i); }
+
   static void for_each_field(auto& self, auto&& visit) { visit("refused_cuts", self.refused_); }
 
  private:

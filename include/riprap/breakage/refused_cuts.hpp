@@ -3,6 +3,7 @@
 /// @file
 /// Refused cuts: not tried again until the contact partners of the particle change.
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -25,6 +26,10 @@ namespace riprap {
 class RefusedCuts {
  public:
   void resize(std::size_t particles) { refusals_.resize(particles); }
+  /// Particle i was removed; those behind it have moved up.
+  void remove(BodyIndex i) {
+    if (i < refusals_.size()) refusals_.erase(refusals_.begin() + static_cast<std::ptrdiff_t>(i));
+  }
   void add(const Particles& particles, BodyIndex i, std::span<const ContactLoad> loads) {
     refusals_[i] = {true, partners_hash(particles, loads)};
   }

@@ -13,6 +13,7 @@
 
 #include <riprap/checkpoint/field_node.hpp>
 #include <riprap/checkpoint/field_types.hpp>
+#include <riprap/checkpoint/named_size.hpp>
 #include <riprap/core/fields.hpp>
 #include <riprap/core/vec2.hpp>
 
@@ -56,9 +57,12 @@ struct FieldWriter {
       append(node.child_at(1, "second"), value.second);
     } else {
       if (with_types) node.type = type_name<T>();
-      for_each_field(value, [&](const char* name, const auto& field) {
+      NamedSize named;
+      for_each_field(value, [&]<class Field>(const char* name, const Field& field) {
         append(node.child_at(k++, name), field);
+        named.add<Field>();
       });
+      require_all_named<T>(named);
     }
   }
 

@@ -36,6 +36,28 @@ template <Boundary B>
   return particles;
 }
 
+/// Images move as their domain says, at set rates, and under simple shear if the boundary has it.
+template <StrainsPlane B>
+void check_images(B& boundary, AxiomCheck& check) {
+  using Image = PeriodicDomain::Image;
+  if constexpr (requires { boundary.set_shear_rate(0.0); }) boundary.set_shear_rate(7);
+  const PeriodicDomain before = boundary.domain();
+  boundary.drift(boundary_step);
+  const PeriodicDomain after = boundary.domain();
+  for (const Image& image : {Image{1, 0}, Image{0, 1}, Image{-2, 3}}) {
+    const Vec2 way = boundary_step * before.velocity(image);
+    const double off = (after.offset(image) - before.offset(image) - way).norm();
+    // Terms of the second order, whatever the scheme, and round-off.
+    const double gradient =
+        std::abs(before.rate.x()) + std::abs(before.rate.y()) + std::abs(before.shear_rate);
+    const double strain = boundary_step * gradient;
+    check.at_most("an image moves at the velocity of its domain", off,
+                  (4 * strain * strain + 1e-12) * before.offset(image).norm());
+  }
+  if constexpr (requires { boundary.set_shear_rate(0.0); })
+    check.equal("simple shear has the rate that was set", after.shear_rate, 7, 0);
+}
+
 /// Velocities of driven bodies and nothing else, while free ones fly about. False if there are not
 /// as many bodies as before: nothing else can be checked then.
 template <Boundary B>
@@ -132,6 +154,7 @@ template <Boundary B>
     }
     internal::check_region(boundary, particles, check);
   }
+  if constexpr (internal::StrainsPlane<B>) internal::check_images(boundary, check);
   return std::move(check).violations();
 }
 

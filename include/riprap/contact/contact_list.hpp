@@ -145,6 +145,14 @@ class ContactList {
     detection_.forget_all();
   }
 
+  /// After body i was removed, and those behind it have moved up: the next update, which must come
+  /// at once, finds the other contacts with their histories.
+  void remove(BodyIndex i) {
+    list_.remove(i);
+    detection_.carry(list_.map());
+    list_state_.invalidate();
+  }
+
   /// After the particle at `parent` has broken, with its second piece at the highest index: the
   /// next update hands the histories of its contacts to those of its pieces.
   /// @param of_second whether a point [m] lies on the side of the second piece
@@ -231,6 +239,8 @@ class ContactList {
       pair.crosses_boundary = pair.image != Image{};
       pair.at_platen = particles.body(pair.a).motion == Motion::platen ||
                        particles.body(pair.b).motion == Motion::platen;
+      pair.a_is_wall = particles.body(pair.a).is_wall();
+      pair.b_is_wall = particles.body(pair.b).is_wall();
     }
     partition_pairs(pairs(), particles.size(), tasks_);
     touching_.resize(list_.size());

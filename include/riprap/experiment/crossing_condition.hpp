@@ -28,8 +28,7 @@ struct Crossing {
     return (value - first) / (target - first);
   }
 
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
+  static void for_each_field(auto& self, auto&& visit) {
     visit("first", self.first);
     visit("from_below", self.from_below);
   }
@@ -72,10 +71,7 @@ struct StrainReached {
     visit("strain", self.strain);
     visit("of", self.of);
   }
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
-    visit("crossing", self.crossing);
-  }
+  static void for_each_field(auto& self, auto&& visit) { visit("crossing", self.crossing); }
 
  private:
   template <class View>
@@ -112,10 +108,7 @@ struct StressReached {
     visit("stress", self.stress);
     visit("of", self.of);
   }
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
-    visit("crossing", self.crossing);
-  }
+  static void for_each_field(auto& self, auto&& visit) { visit("crossing", self.crossing); }
 
  private:
   template <class View>
@@ -152,8 +145,7 @@ struct StepsMade {
   static void for_each_parameter(Self& self, Visit&& visit) {
     visit("steps", self.steps);
   }
-  template <class Self, class Visit>
-  static void for_each_field(Self& /*self*/, Visit&& /*visit*/) {}
+  static void for_each_field(auto&, auto&&) {}
 };
 
 }  // namespace riprap

@@ -37,7 +37,7 @@ class DisplacementPaths {
   void record(const BiaxialView<Sim>& view) {
     const Particles& particles = view.sim.particles();
     for (BodyIndex i = 0; i < particles.size(); ++i)
-      if (particles.body(i).motion != Motion::platen)
+      if (!particles.body(i).is_wall())
         path(particles.ancestry(i)).points.push_back(particles.body(i).position);
   }
 

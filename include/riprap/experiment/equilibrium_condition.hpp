@@ -47,10 +47,7 @@ struct Jammed {
     visit("pressure", self.pressure);
     visit("kinetic_ratio", self.kinetic_ratio);
   }
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
-    visit("distance", self.distance);
-  }
+  static void for_each_field(auto& self, auto&& visit) { visit("distance", self.distance); }
 };
 
 /// Equilibrium, whatever the stress.
@@ -79,10 +76,7 @@ struct RestReached {
   static void for_each_parameter(Self& self, Visit&& visit) {
     visit("unbalanced_force", self.unbalanced_force);
   }
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
-    visit("first", self.first);
-  }
+  static void for_each_field(auto& self, auto&& visit) { visit("first", self.first); }
 
   template <class View>
   [[nodiscard]] static double unbalanced_force_of(const View& view) {
@@ -135,8 +129,7 @@ struct StressesHeld {
     visit("unbalanced_force", self.unbalanced_force);
     visit("quiet_checks", self.quiet_checks);
   }
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
+  static void for_each_field(auto& self, auto&& visit) {
     visit("quiet", self.quiet);
     visit("first", self.first);
   }

@@ -35,7 +35,7 @@ class IncrementalDisplacement {
     starts_.clear();
     start_of_.clear();
     for (BodyIndex i = 0; i < particles.size(); ++i) {
-      if (particles.body(i).motion == Motion::platen) continue;
+      if (particles.body(i).is_wall()) continue;
       start_of(particles.ancestry(i).id) = starts_.size();
       starts_.push_back({particles.body(i).position, {0, 0}, particles.body(i).is_free()});
     }

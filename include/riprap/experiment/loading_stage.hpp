@@ -89,8 +89,7 @@ struct LoadingStage {
   }
 
   /// Those of the stage's controls and of its condition.
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
+  static void for_each_field(auto& self, auto&& visit) {
     std::visit([&](auto& c) { visit("axis_1", c); }, self.axis_1);
     std::visit([&](auto& c) { visit("axis_2", c); }, self.axis_2);
     std::visit([&](auto& c) { visit("end", c); }, self.end);

@@ -94,8 +94,7 @@ struct LoadingView {
   }
 
   /// What a run that goes on needs; the rest follows from the path and the simulation.
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
+  static void for_each_field(auto& self, auto&& visit) {
     visit("done", self.done);
     visit("reached_target", self.reached_target);
     visit("interrupted", self.interrupted);

@@ -19,8 +19,7 @@ struct StageResult {
   double mean_error = 0;  ///< mean over its steps of stress / target - 1, where that is judged
   double rms_error = 0;
 
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
+  static void for_each_field(auto& self, auto&& visit) {
     visit("steps", self.steps);
     visit("wall_seconds", self.wall_seconds);
     visit("saturated_steps", self.saturated_steps);

@@ -69,8 +69,7 @@ class PathRun {
   [[nodiscard]] const View& view() const { return view_; }
 
   /// `stage` comes first: it decides which controls the fields after it are of.
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
+  static void for_each_field(auto& self, auto&& visit) {
     visit("stage", self.index_);
     visit("open", self.open_);
     visit("view", self.view_);

@@ -35,8 +35,7 @@ class PressureServo {
   /// Calls in which the rate was held at its limit.
   [[nodiscard]] std::uint64_t saturated() const { return saturated_; }
 
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
+  static void for_each_field(auto& self, auto&& visit) {
     visit("gain", self.gain_);
     visit("integral_gain", self.integral_gain_);
     visit("largest_rate", self.largest_rate_);

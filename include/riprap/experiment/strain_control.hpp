@@ -57,10 +57,7 @@ struct EngineeringRate {
     LoadingRate::for_each_parameter(self.rate_of_strain, visit);
     visit("smooth", self.smooth);
   }
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
-    visit("ramp_time", self.ramp.time);
-  }
+  static void for_each_field(auto& self, auto&& visit) { visit("ramp_time", self.ramp.time); }
 };
 
 /// A constant rate of logarithmic strain: of the present length.
@@ -85,10 +82,7 @@ struct LogarithmicRate {
     LoadingRate::for_each_parameter(self.rate_of_strain, visit);
     visit("smooth", self.smooth);
   }
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
-    visit("ramp_time", self.ramp.time);
-  }
+  static void for_each_field(auto& self, auto&& visit) { visit("ramp_time", self.ramp.time); }
 };
 
 /// The axis follows the other one so that the area stays as it is. A step multiplies lengths by

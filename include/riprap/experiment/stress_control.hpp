@@ -39,8 +39,7 @@ class TrackingServo {
   [[nodiscard]] double rms_error() const { return std::sqrt(over_steps(error_squares_)); }
   [[nodiscard]] std::uint64_t saturated() const { return servo_.saturated(); }
 
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
+  static void for_each_field(auto& self, auto&& visit) {
     visit("servo", self.servo_);
     visit("error_sum", self.error_sum_);
     visit("error_squares", self.error_squares_);
@@ -122,8 +121,7 @@ struct ControlledStress {
     visit("stress_rate", self.stress_rate);
     ServoControl::for_each_parameter(self.control, visit);
   }
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
+  static void for_each_field(auto& self, auto&& visit) {
     visit("servo", self.control.servo);
     visit("first", self.first);
   }
@@ -161,10 +159,7 @@ struct FreeBoundary {
   static void for_each_parameter(Self& self, Visit&& visit) {
     ServoControl::for_each_parameter(self.control, visit);
   }
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
-    visit("servo", self.control.servo);
-  }
+  static void for_each_field(auto& self, auto&& visit) { visit("servo", self.control.servo); }
 };
 
 /// The normal stress of the axis is a multiple of that of the other axis.
@@ -191,10 +186,7 @@ struct StressRatio {
     visit("ratio", self.ratio);
     ServoControl::for_each_parameter(self.control, visit);
   }
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
-    visit("servo", self.control.servo);
-  }
+  static void for_each_field(auto& self, auto&& visit) { visit("servo", self.control.servo); }
 };
 
 /// The axis keeps the mean of both normal stresses at a value.
@@ -221,10 +213,7 @@ struct ConstantMeanStress {
     visit("stress", self.stress);
     ServoControl::for_each_parameter(self.control, visit);
   }
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
-    visit("servo", self.control.servo);
-  }
+  static void for_each_field(auto& self, auto&& visit) { visit("servo", self.control.servo); }
 };
 
 }  // namespace riprap

@@ -22,7 +22,7 @@ void require_finite_sum(const Stress2& sum);
 
 /// Eq. 13 (Rothenburg 1980): sigma_ij = 1 / (A t) sum of f_i l_j over contacts, compression
 /// positive, symmetric part. `contacts` offers for_each_touching(visit); f is the force on b, l the
-/// branch from a to b.
+/// branch from a to b, which begins or ends at the contact point where one of them is a wall.
 /// @param area of the assembly [m^2]; @param thickness [m]
 /// Throws InvalidInput unless both are above 0 and the sum is finite.
 template <class Contacts>
@@ -56,8 +56,8 @@ template <class Contacts>
   require_positive("average_stress_within: thickness", thickness);
   Stress2 sum;
   contacts.for_each_touching([&](const auto& c) {
-    const double share =
-        region.share_inside(c.geometry.point - c.arm_a, c.geometry.point - c.arm_b);
+    const double share = region.share_inside(c.geometry.point - c.branch_arm_a(),
+                                             c.geometry.point - c.branch_arm_b());
     sum += symmetric_product(c.force_on_b(), share * c.branch());
   });
   internal::require_finite_sum(sum);

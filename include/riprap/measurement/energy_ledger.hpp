@@ -12,11 +12,13 @@
 namespace riprap {
 
 /// Energy since the ledger was opened [J]:
-/// boundary_work + body_force_work = kinetic + stored + slip + dashpot + damping + breakage
-///                                   + law_residual + unclosed.
+/// boundary_work + body_force_work + load_work + added
+///   = kinetic + stored + slip + dashpot + damping + breakage + law_residual + unclosed.
 struct EnergyTerms {
   double boundary_work = 0;    ///< done by driven bodies, or by the shrinking of a periodic cell
   double body_force_work = 0;  ///< done by the body force
+  double load_work = 0;        ///< done by external loads
+  double added = 0;            ///< with bodies that were added, less those removed
   double kinetic = 0;          ///< change of kinetic energy of the free bodies
   double stored = 0;           ///< change of energy stored in the contacts
   double slip = 0;             ///< lost in sliding
@@ -32,13 +34,15 @@ struct EnergyTerms {
   }
   /// What the terms leave over: an error of the bookkeeping or of the integrator.
   [[nodiscard]] double unclosed() const {
-    return boundary_work + body_force_work - kinetic - stored - slip - dashpot - damping -
-           breakage - law_residual;
+    return boundary_work + body_force_work + load_work + added - kinetic - stored - slip - dashpot -
+           damping - breakage - law_residual;
   }
 
   static void for_each_field(auto& self, auto&& visit) {
     visit("boundary_work", self.boundary_work);
     visit("body_force_work", self.body_force_work);
+    visit("load_work", self.load_work);
+    visit("added", self.added);
     visit("kinetic", self.kinetic);
     visit("stored", self.stored);
     visit("slip", self.slip);
@@ -63,12 +67,15 @@ class EnergyLedger {
     stored_ = start_.stored;
     slip_ = start_.slip;
     dashpot_ = start_.dashpot;
+    added_ = start_.added;
     is_open_ = true;
   }
 
   template <class Sim>
   void before_forces(const Sim& sim) {
-    if (is_open_) contact_work_ = 0.5 * contact_power(sim) * sim.time_step();
+    if (!is_open_) return;
+    if (sim.work().added != added_) take_up_changes(sim);
+    contact_work_ = 0.5 * contact_power(sim) * sim.time_step();
   }
 
   template <class Sim>
@@ -108,6 +115,8 @@ class EnergyLedger {
     const Totals now = totals(sim);
     t.boundary_work = now.boundary - start_.boundary;
     t.body_force_work = now.body_force - start_.body_force;
+    t.load_work = now.load - start_.load;
+    t.added = now.added - start_.added;
     t.damping = now.damping - start_.damping;
     t.kinetic = now.kinetic - start_.kinetic;
     t.stored = now.stored - start_.stored;
@@ -131,6 +140,8 @@ class EnergyLedger {
   struct Totals {
     double boundary = 0;
     double body_force = 0;
+    double load = 0;
+    double added = 0;
     double damping = 0;
     double kinetic = 0;
     double stored = 0;
@@ -140,6 +151,8 @@ class EnergyLedger {
     static void for_each_field(auto& self, auto&& visit) {
       visit("boundary", self.boundary);
       visit("body_force", self.body_force);
+      visit("load", self.load);
+      visit("added", self.added);
       visit("damping", self.damping);
       visit("kinetic", self.kinetic);
       visit("stored", self.stored);
@@ -152,11 +165,22 @@ class EnergyLedger {
   [[nodiscard]] static Totals totals(const Sim& sim) {
     return {sim.work().boundary,
             sim.work().body_force,
+            sim.work().load,
+            sim.work().added,
             sim.work().damping,
             kinetic_energy(sim.particles()),
             stored_energy(sim.contacts()),
             sim.contacts().friction_loss(),
             sim.contacts().viscous_loss()};
+  }
+
+  // Bodies were added or removed since the last step, which is not the work of contacts.
+  template <class Sim>
+  void take_up_changes(const Sim& sim) {
+    added_ = sim.work().added;
+    stored_ = stored_energy(sim.contacts());
+    slip_ = sim.contacts().friction_loss();
+    dashpot_ = sim.contacts().viscous_loss();
   }
 
   // Power of all contact forces on both bodies of each contact [W].
@@ -174,6 +198,7 @@ class EnergyLedger {
   double stored_ = 0;
   double slip_ = 0;
   double dashpot_ = 0;
+  double added_ = 0;
   double contact_work_ = 0;
   double before_split_ = 0;
   bool is_open_ = false;

@@ -22,12 +22,12 @@ struct ContactSample {
   Vec2 branch{1, 0};            ///< from the centroid of a to that of b [m]
 };
 
-/// All contacts but those with platens, whose directions are the platens'.
+/// All contacts but those with walls and platens, whose directions are the walls'.
 template <class Contacts>
 [[nodiscard]] std::vector<ContactSample> contact_samples(const Contacts& contacts) {
   std::vector<ContactSample> samples;
   contacts.for_each_touching([&](const auto& c) {
-    if (c.at_platen) return;
+    if (c.at_wall()) return;
     samples.push_back({c.geometry.normal, c.force.normal, c.force.tangential, c.branch()});
   });
   return samples;

@@ -33,7 +33,7 @@ class AssemblyView {
     };
     bool has_platens = false;
     for (BodyIndex i = 0; i < particles.size(); ++i)
-      if (particles.body(i).motion == Motion::platen)
+      if (particles.body(i).is_wall())
         has_platens = true;
       else
         for (const Vec2& v : particles.ring(i)) include(v);

@@ -90,7 +90,7 @@ inline void displacement_legend(Svg& svg, const Vec2& corner, double largest) {
   for (const bool broken : {false, true})
     for (BodyIndex i = 0; i < particles.size(); ++i) {
       const Ancestry& particle = particles.ancestry(i);
-      if (particles.body(i).motion != Motion::platen && (particle.generation > 0) == broken)
+      if (!particles.body(i).is_wall() && (particle.generation > 0) == broken)
         svg.circle(view(particles.body(i).position), internal::path_dot,
                    internal::dot_style(particle));
     }

@@ -40,13 +40,13 @@ template <class Contacts>
       if (c.force.normal == 0 || classes(c.force.normal) != k) return;
       if (std::isnan(c.force.normal)) return svg.leave_out();
       // A half in each particle: a chain runs through the particles it loads. Across a periodic
-      // cell each half stays with its own; a platen has none.
+      // cell each half stays with its own; a wall has none.
       const auto half = [&](BodyIndex i, const Vec2& arm) {
         const Vec2& centroid = particles.body(i).position;
         if (!arm.isZero()) svg.line(view(centroid), view(centroid + arm), style);
       };
-      half(c.a, c.arm_a);
-      half(c.b, c.arm_b);
+      half(c.a, c.branch_arm_a());
+      half(c.b, c.branch_arm_b());
     });
   }
 

@@ -60,7 +60,7 @@ template <class Sim>
   sim.contacts().for_each_touching([&](const ContactType& c) {
     contacts.push_back(&c);
     const Vec2& point = c.geometry.point;
-    const std::vector<Vec2> line{point - c.arm_a, point, point - c.arm_b};
+    const std::vector<Vec2> line{point - c.branch_arm_a(), point, point - c.branch_arm_b()};
     file.add_cell(line);
   });
   const auto add = [&](const char* name, auto value) {

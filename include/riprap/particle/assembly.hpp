@@ -25,8 +25,9 @@ struct PlacedParticle {
 struct Assembly {
   double thickness = 0.016;  ///< [m]
   std::vector<PlacedParticle> particles;
-  Vec2 period{0, 0};  ///< extents of a periodic cell [m]; zero: an open plane
-  Vec2 centre{0, 0};  ///< of the periodic cell [m]
+  Vec2 period{0, 0};        ///< extents of a periodic cell [m]; zero: an open plane
+  Vec2 centre{0, 0};        ///< of the periodic cell [m]
+  double shear_offset = 0;  ///< of a sheared cell: see PeriodicDomain [m]
 
   /// The same particles, and cell, elsewhere.
   [[nodiscard]] Assembly moved(const Vec2& shift) const;

@@ -18,6 +18,7 @@ RIPRAP_INLINE void Assembly::validate() const {
   require_positive("Assembly.thickness", thickness);
   require(is_finite(period) && is_finite(centre), "Assembly.period + Assembly.centre",
           period.x() + period.y() + centre.x() + centre.y(), "must be finite");
+  require_finite("Assembly.shear_offset", shear_offset);
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const PlacedParticle& p = particles[i];
     if (!is_finite(p.velocity) || !std::isfinite(p.angular_velocity))

@@ -36,6 +36,7 @@ enum class Motion : unsigned char {
   prescribed,    ///< the velocity it was given, whatever pushes it (zero: a fixed body)
   strain_field,  ///< the boundary's strain-rate field; it does not rotate and does not break
   platen,        ///< a rigid, smooth wall that the boundary moves along its normal
+  wall,  ///< a rigid wall with the friction of the contact law, moved like a prescribed body
 };
 
 /// A rigid body; its shape is stored beside it in Particles.
@@ -51,6 +52,8 @@ struct Body {
   Motion motion = Motion::free;
 
   [[nodiscard]] bool is_free() const { return motion == Motion::free; }
+  /// A wall or a platen: no part of the sample.
+  [[nodiscard]] bool is_wall() const { return motion == Motion::wall || motion == Motion::platen; }
 
   /// Kinetic energy [J] with the mass that enters the equations of motion.
   [[nodiscard]] double kinetic_energy() const {

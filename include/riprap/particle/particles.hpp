@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <riprap/core/ids.hpp>
@@ -65,6 +66,11 @@ class Particles {
   /// Puts a new particle, with a new id, where a broken one was stored.
   void replace(BodyIndex index, const ConvexPolygon& polygon, Motion motion,
                const Ancestry& parent);
+
+  /// Takes particle i away; those behind it move up, in their order. Ids are not used again.
+  void remove(BodyIndex i);
+  /// Where the particle with an id is; none, if it has broken or was removed.
+  [[nodiscard]] std::optional<BodyIndex> find(ParticleId id) const;
 
   /// Counts a piece of `area` [m^2] of a particle that breaks, which is not simulated.
   void add_dust(const Ancestry& parent, double area) { dust_.push_back({parent.root, area}); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include <riprap/particle/particles.hpp>
@@ -25,6 +26,21 @@ RIPRAP_INLINE void Particles::replace(BodyIndex index, const ConvexPolygon& poly
   dead_vertices_ += shapes_[index].count;
   place(index, polygon, motion, &copy);
   if (dead_vertices_ > local_.size() / 2) compact();
+}
+
+RIPRAP_INLINE void Particles::remove(BodyIndex i) {
+  dead_vertices_ += shapes_[i].count;
+  const auto at = static_cast<std::ptrdiff_t>(i);
+  bodies_.erase(bodies_.begin() + at);
+  shapes_.erase(shapes_.begin() + at);
+  ancestries_.erase(ancestries_.begin() + at);
+  if (dead_vertices_ > local_.size() / 2) compact();
+}
+
+RIPRAP_INLINE std::optional<BodyIndex> Particles::find(ParticleId id) const {
+  const auto found = std::ranges::find(ancestries_, id, &Ancestry::id);
+  if (found == ancestries_.end()) return std::nullopt;
+  return static_cast<BodyIndex>(found - ancestries_.begin());
 }
 
 RIPRAP_INLINE void Particles::place(BodyIndex index, const ConvexPolygon& polygon, Motion motion,

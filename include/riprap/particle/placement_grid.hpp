@@ -67,7 +67,7 @@ void place_at_random(const RandomPolygons& made, Assembly& assembly, DrawCentre&
   assembly.particles.reserve(assembly.particles.size() + made.polygons.size());
   PlacementGrid grid(2 * made.farthest);
   for (const PlacedParticle& p : assembly.particles)
-    if (p.motion != Motion::platen)
+    if (p.motion != Motion::platen && p.motion != Motion::wall)
       grid.insert(p.polygon, area_properties(p.polygon.ring()).centroid);
 
   constexpr unsigned most_tries = 100000;

@@ -4,6 +4,7 @@
 /// One time step of all bodies, and the work that is done on them.
 
 #include <cmath>
+#include <span>
 
 #include <riprap/core/errors.hpp>
 #include <riprap/dynamics/integrator/concepts.hpp>
@@ -17,11 +18,15 @@ struct BodyWork {
   double boundary = 0;    ///< done by driven bodies, or by a shrinking cell, on the rest
   double body_force = 0;  ///< done by the body force
   double damping = 0;     ///< taken out by damping
+  double load = 0;        ///< done by external loads
+  double added = 0;       ///< kinetic and stored, of bodies added less those removed
 
   BodyWork& operator+=(const BodyWork& o) {
     boundary += o.boundary;
     body_force += o.body_force;
     damping += o.damping;
+    load += o.load;
+    added += o.added;
     return *this;
   }
 
@@ -29,6 +34,8 @@ struct BodyWork {
     visit("boundary", self.boundary);
     visit("body_force", self.body_force);
     visit("damping", self.damping);
+    visit("load", self.load);
+    visit("added", self.added);
   }
 };
 
@@ -41,8 +48,10 @@ class BodyStep {
   static constexpr bool has_second_kick = decltype(MotionPart::integrator)::has_second_kick;
 
   /// @param time_step [s]
-  BodyStep(const MotionPart& motion, const Domain& domain, double time_step)
-      : motion_(motion), domain_(domain), time_step_(time_step) {}
+  /// @param loads external ones, on the bodies from the first on; those without one have none
+  BodyStep(const MotionPart& motion, const Domain& domain, double time_step,
+           std::span<const Wrench> loads = {})
+      : motion_(motion), domain_(domain), time_step_(time_step), loads_(loads) {}
 
   /// Time of the first and of the second kick [s].
   [[nodiscard]] double first_kick_time() const {
@@ -61,7 +70,7 @@ class BodyStep {
     for (BodyIndex i = first; i < last; ++i) {
       Body& body = particles.body(i);
       if (body.is_free()) {
-        kick_free(body, kick_time, work, [this](Body& b, const Wrench& w) {
+        kick_free(body, load_on(i), kick_time, work, [this](Body& b, const Wrench& w) {
           motion_.integrator.advance(b, w, time_step_);
         });
       } else {
@@ -88,7 +97,7 @@ class BodyStep {
     for (BodyIndex i = first; i < last; ++i) {
       Body& body = particles.body(i);
       if (body.is_free())
-        kick_free(body, kick_time, work, [this](Body& b, const Wrench& w) {
+        kick_free(body, load_on(i), kick_time, work, [this](Body& b, const Wrench& w) {
           motion_.integrator.second_kick(b, w, time_step_);
         });
       else
@@ -98,13 +107,19 @@ class BodyStep {
   }
 
  private:
+  [[nodiscard]] const Wrench* load_on(BodyIndex i) const {
+    return i < loads_.size() ? &loads_[i] : nullptr;
+  }
+
   template <class Kick>
-  void kick_free(Body& body, double kick_time, BodyWork& work, Kick&& kick) const {
+  void kick_free(Body& body, const Wrench* load, double kick_time, BodyWork& work,
+                 Kick&& kick) const {
     const Vec2 velocity_before = body.velocity;
     const double spin_before = body.angular_velocity;
     const Vec2 acceleration = motion_.body_force(body);
     Wrench total = body.contact;
     total.add({body.mass * acceleration.x(), body.mass * acceleration.y()}, 0);
+    if (load) total.add(load->force, load->moment);
     const Wrench damped = motion_.damping(seen_by_damping(body), total);
     total.add(damped.force, damped.moment);
     kick(body, total);
@@ -112,6 +127,8 @@ class BodyStep {
     const double y = 0.5 * (velocity_before.y() + body.velocity.y());
     const double spin = 0.5 * (spin_before + body.angular_velocity);
     work.body_force += kick_time * body.mass * (acceleration.x() * x + acceleration.y() * y);
+    if (load)
+      work.load += kick_time * (load->force.x() * x + load->force.y() * y + load->moment * spin);
     work.damping -=
         kick_time * (damped.force.x() * x + damped.force.y() * y + damped.moment * spin);
   }
@@ -120,7 +137,7 @@ class BodyStep {
   [[nodiscard]] decltype(auto) seen_by_damping(const Body& body) const {
     if constexpr (Domain::periodic) {
       Body seen = body;
-      seen.velocity += componentwise_product(domain_.rate, body.position - domain_.centre);
+      seen.velocity -= domain_.field(body.position - domain_.centre);
       return seen;
     } else {
       return (body);
@@ -169,6 +186,7 @@ class BodyStep {
   const MotionPart& motion_;
   [[no_unique_address]] Domain domain_;
   double time_step_;
+  std::span<const Wrench> loads_;
 };
 
 }  // namespace riprap

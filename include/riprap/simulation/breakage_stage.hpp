@@ -16,6 +16,7 @@ namespace riprap {
 template <class ModelType>
 struct BreakageStage {
   explicit BreakageStage(const ModelType&) {}
+  void remove(BodyIndex, std::size_t) {}
   [[nodiscard]] static std::size_t operator_bytes() { return 0; }
   [[nodiscard]] static const InfluenceOperator* find_operator(BodyIndex) { return nullptr; }
   static void for_each_field(auto&, auto&&) {}
@@ -54,6 +55,15 @@ struct BreakageStage<ModelType> {
   void forget(BodyIndex i) {
     operators.forget(i);
     screening.forget(i);
+  }
+  /// Particle i was removed of `count` in all; those behind it have moved up. Their operators are
+  /// built again, and all screening begins anew: a pair may be numbered now as another one was.
+  void remove(BodyIndex i, std::size_t count) {
+    for (BodyIndex k = 0; k < count; ++k) {
+      if (k >= i) operators.forget(k);
+      screening.forget(k);
+    }
+    pass.remove(i);
   }
   [[nodiscard]] std::size_t operator_bytes() const { return operators.bytes(); }
   [[nodiscard]] const InfluenceOperator* find_operator(BodyIndex i) const {

@@ -26,7 +26,7 @@ template <class ModelType>
   return model;
 }
 
-/// Adds the particles of an assembly. Returns the mean area of its grains [m^2]; platens and
+/// Adds the particles of an assembly. Returns the mean area of its grains [m^2]; walls and
 /// prescribed bodies are none. That of the first body where there is no grain.
 inline double add_particles(const Assembly& assembly, Particles& particles) {
   double area = 0;
@@ -36,7 +36,7 @@ inline double add_particles(const Assembly& assembly, Particles& particles) {
     Body& body = particles.body(i);
     body.velocity = placed.velocity;
     body.angular_velocity = placed.angular_velocity;
-    if (body.motion == Motion::platen || body.motion == Motion::prescribed) continue;
+    if (body.is_wall() || body.motion == Motion::prescribed) continue;
     area += particles.shape(i).area;
     ++grains;
   }

@@ -17,9 +17,12 @@
 #include <riprap/particle/assembly.hpp>
 #include <riprap/particle/particles.hpp>
 #include <riprap/particle/smallest_mass.hpp>
+#include <riprap/simulation/body_changes.hpp>
+#include <riprap/simulation/body_settings.hpp>
 #include <riprap/simulation/body_step.hpp>
 #include <riprap/simulation/break_event.hpp>
 #include <riprap/simulation/breakage_stage.hpp>
+#include <riprap/simulation/external_loads.hpp>
 #include <riprap/simulation/model.hpp>
 #include <riprap/simulation/observer.hpp>
 #include <riprap/simulation/replace_by_pieces.hpp>
@@ -35,7 +38,7 @@ namespace riprap {
 ///
 /// Moved, not copied: operators are large.
 template <class ModelType>
-class Simulation {
+class Simulation : public BodyChanges<Simulation<ModelType>> {
  public:
   using Domain = DomainOf<decltype(ModelType::motion_model.boundary)>;
   using Contacts = ContactList<decltype(ModelType::contact_model.broad_phase),
@@ -109,6 +112,12 @@ class Simulation {
   [[nodiscard]] double time_step() const { return time_step_; }  ///< [s]
   [[nodiscard]] double time() const { return time_; }            ///< [s]
   [[nodiscard]] const BodyWork& work() const { return work_; }
+  /// Force [N] of all contacts on body i, a wall or any other, and their moment about its centroid
+  /// c [N m]; about a point p: moment + cross(c - p, force). Zero moment for a platen.
+  [[nodiscard]] const Wrench& force_on(BodyIndex i) const {
+    require_body(particles_, i);
+    return particles_.body(i).contact;
+  }
   [[nodiscard]] const std::vector<BreakEvent>& breaks() const { return breaks_; }
   /// Mean area of the intact particles at the start, platens and prescribed bodies left out [m^2],
   /// and the mass of the smallest free one [kg].
@@ -117,26 +126,8 @@ class Simulation {
   /// Memory held by influence operators [bytes].
   [[nodiscard]] std::size_t operator_bytes() const { return breakage_.operator_bytes(); }
 
-  // What an experiment may change between steps.
+  // What an experiment may change between steps, beside the bodies: see BodyChanges.
 
-  /// Gives body i a velocity [m/s] and a spin [rad/s]. Throws InvalidInput for a body that is not
-  /// there and for numbers that are not finite.
-  void set_velocity(BodyIndex i, const Vec2& velocity, double spin = 0) {
-    require_body(i);
-    if (!is_finite(velocity) || !std::isfinite(spin))
-      throw InvalidInput(particle_text(particles_.ancestry(i).id) + ": velocity (" +
-                         to_text(velocity.x()) + ", " + to_text(velocity.y()) + ") m/s, spin " +
-                         to_text(spin) + " rad/s: must be finite");
-    particles_.body(i).velocity = velocity;
-    particles_.body(i).angular_velocity = spin;
-  }
-  /// Frees or holds body i. Chooses the time step anew, for a lighter body may be free now.
-  void set_motion(BodyIndex i, Motion motion) {
-    require_body(i);
-    particles_.body(i).motion = motion;
-    contacts_.invalidate();
-    choose_time_step();
-  }
   [[nodiscard]] auto& boundary() { return motion_.boundary; }
   [[nodiscard]] const auto& boundary() const { return motion_.boundary; }
   [[nodiscard]] auto& contact_law() { return contacts_.law(); }
@@ -194,6 +185,7 @@ class Simulation {
     visit("particles", self.particles_);
     visit("contacts", self.contacts_);
     visit("breakage", self.breakage_);
+    visit("loads", self.loads_);
     visit("breaks", self.breaks_);
   }
   void restored() {
@@ -202,19 +194,19 @@ class Simulation {
   }
 
  private:
-  void require_body(BodyIndex i) const {
-    require(i < particles_.size(), "body", i, "must be in the simulation");
-  }
+  friend class BodyChanges<Simulation>;
 
   [[nodiscard]] StressQuery<ModelType, Contacts> stress_query() const {
     return {model_, rock_, particles_, contacts_, breakage_};
   }
   [[nodiscard]] StressQuery<ModelType, Contacts> stress_query(BodyIndex i) const {
-    require_body(i);
+    require_body(particles_, i);
     return stress_query();
   }
 
-  [[nodiscard]] auto body_step() { return BodyStep(motion_, contacts_.domain(), time_step_); }
+  [[nodiscard]] auto body_step() {
+    return BodyStep(motion_, contacts_.domain(), time_step_, loads_.all());
+  }
 
   // Forces of the present poses move the bodies to the next ones.
   void advance_bodies() {
@@ -285,6 +277,7 @@ class Simulation {
     else
       contacts_.divide(i, second, on_right);
     breakage_.forget(i);
+    loads_.forget(i);
     breaks_.push_back(event);
   }
 
@@ -299,6 +292,7 @@ class Simulation {
   Rock rock_;
   Particles particles_;
   Contacts contacts_;
+  ExternalLoads loads_;
   [[no_unique_address]] BreakageStage<ModelType> breakage_;
   double smallest_mass_ = 0;
   double mean_area_ = 0;

@@ -201,3 +201,26 @@ TEST_CASE("images count as ways of both bodies where the cell does not shrink as
   bound.update(particles, {.period = {0.98, 2}}, 1, 0.25, 3);
   CHECK(std::abs(bound.value() - 0.5 * 0.25 * 0.02) <= 1e-15);
 }
+
+TEST_CASE("a sample that is sheared as a whole has a bound of the way of neighbours") {
+  Particles particles(1, 1);
+  for (int i = 0; i < 11; ++i) {
+    const Vec2 at{0.1 * i, 20.0 * i};
+    particles.add(ConvexPolygon{at, at + Vec2{0.1, 0}, at + Vec2{0, 0.1}}, Motion::free);
+  }
+  PeriodicDomain domain{.period = {1, 2}, .shear_offset = 0.3};
+  DisplacementBound<PeriodicDomain> bound;
+  bound.restart(particles, domain);
+  constexpr double strain = 1e-5;
+  constexpr int steps = 100;
+  double before = 0;
+  for (int step = 0; step < steps; ++step) {
+    for (BodyIndex i = 0; i < particles.size(); ++i)
+      particles.body(i).position.x() += strain * particles.body(i).position.y();
+    domain.shear_offset += strain * domain.period.y();
+    bound.update(particles, domain, 1.0, near, 3);
+    if (step == 9) before = bound.value();  // the first way was not foreseen
+  }
+  // Half of what the strain takes of `near`; round-off of 200 m is 3e-14 m.
+  CHECK(std::abs(bound.value() - before - 0.5 * near * strain * (steps - 10)) <= 1e-12);
+}

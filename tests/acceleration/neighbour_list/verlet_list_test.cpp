@@ -46,6 +46,18 @@ TEST_CASE("the shrinking of the cell makes the pairs stale before any can be mis
   }
 }
 
+TEST_CASE("the shear of the cell makes the pairs stale before any can be missing") {
+  Particles particles(1, 1);
+  particles.add(diamond({0, 0}, 0.05), Motion::free);
+  particles.add(diamond({0.4, 0}, 0.05), Motion::free);
+  PeriodicDomain domain{.period = {1, 1}};
+  List list = searched(particles, domain);
+  domain.shear_offset = 0.004;
+  CHECK_FALSE(list.is_stale(particles, domain));
+  domain.shear_offset = 0.02;  // 0.008 would go on as before
+  CHECK(list.is_stale(particles, domain));
+}
+
 TEST_CASE("a list is stale when bodies were added, and when it was invalidated") {
   Particles particles = scattered(5, 1, 0.05, 1);
   const PeriodicDomain domain{.period = {3, 3}};

@@ -38,7 +38,7 @@ std::set<Pair> by_brute_force(const Particles& particles, const PeriodicDomain& 
   const auto count = static_cast<BodyIndex>(particles.size());
   for (BodyIndex a = 0; a < count; ++a)
     for (BodyIndex b = a + 1; b < count; ++b)
-      for (int i = -6; i <= 6; ++i)
+      for (int i = -12; i <= 12; ++i)
         for (int j = -6; j <= 6; ++j) {
           const Vec2 between =
               particles.body(b).position + domain.offset({i, j}) - particles.body(a).position;
@@ -58,6 +58,22 @@ TEST_CASE("in a periodic cell every body is paired once with every image near it
     REQUIRE(expected.size() > 20);
     CHECK(found(AllPairs{.relative_skin = 0}, particles, domain) == expected);
     CHECK(found(UniformGrid{.relative_skin = 0}, particles, domain) == expected);
+  }
+}
+
+TEST_CASE("in a sheared cell every body is paired once with every image near it") {
+  for (const double offset : {0.2, 0.5, -0.5, 0.97, -1.46, 3.7}) {
+    CAPTURE(offset);
+    const PeriodicDomain domain{.period = {1, 1.3}, .shear_offset = offset};
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+      // Wide ones, too: those meet images that are almost two periods away in the row above.
+      const double reach = seed == 3u ? 0.2 : 0.05;
+      const Particles particles = scattered(60, 1.5, reach, seed);
+      const std::set<Pair> expected = by_brute_force(particles, domain, reach);
+      REQUIRE(expected.size() > 20);
+      CHECK(found(AllPairs{.relative_skin = 0}, particles, domain) == expected);
+      CHECK(found(UniformGrid{.relative_skin = 0}, particles, domain) == expected);
+    }
   }
 }
 

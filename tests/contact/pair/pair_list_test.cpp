@@ -58,3 +58,21 @@ TEST_CASE("a pair is found by its bodies while it touches") {
   CHECK(!list.find_touching({.a = 1, .b = 2}));
   CHECK(!list.find_touching({.a = 2, .b = 3}));
 }
+
+TEST_CASE("pairs of a removed body are dropped, those behind it move up and keep their contacts") {
+  PairList<Pair> list;
+  renew(list, {{0, 1}, {0, 3}, {1, 2}, {2, 3}, {3, 4}});
+  int mark = 0;
+  for (Pair& pair : list.pairs()) pair.history = ++mark;
+  const std::uint64_t revision = list.revision();
+  list.remove(2);
+  CHECK(marks(list) == std::vector<int>{1, 2, 5});
+  CHECK(list.pairs()[1].b == 2);
+  CHECK(list.pairs()[2].a == 2);
+  CHECK(list.pairs()[2].b == 3);
+  CHECK(list.map().from() == revision);
+  CHECK(list.map().previous_index(2) == 4);
+  // And in a new list, too.
+  renew(list, {{0, 2}, {1, 3}, {2, 3}});
+  CHECK(marks(list) == std::vector<int>{2, 0, 5});
+}

@@ -46,6 +46,21 @@ TEST_CASE("at a constant rate the cell shrinks exponentially") {
   CHECK(cell.domain().rate == Vec2{0.5, -0.1});
 }
 
+TEST_CASE("a sheared cell keeps its area, and its offset has no limit") {
+  const Particles particles = two_triangles();
+  PeriodicCell cell;
+  cell.enclose({.particles = {}, .period = {4, 2}, .shear_offset = 1}, particles);
+  CHECK(cell.domain().shear_offset == 1);
+  cell.set_shear_rate(0.25);
+  CHECK(cell.shear_rate() == 0.25);
+  // 0.25 / s times 2 m in 16 s.
+  for (int n = 0; n < 64; ++n) cell.drift(0.25);
+  CHECK(cell.domain().shear_offset == 9);
+  CHECK(cell.region(particles).area() == 8);
+  CHECK_THROWS_WITH_AS(cell.set_shear_rate(std::nan("")),
+                       "PeriodicCell: shear rate = nan: must be a finite number", InvalidInput);
+}
+
 TEST_CASE("boundary bodies in a periodic cell are an error") {
   Particles particles = two_triangles();
   particles.body(1).motion = Motion::platen;

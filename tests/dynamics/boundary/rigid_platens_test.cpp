@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include <riprap/particle/random_box_assembly.hpp>
 #include <support/near.hpp>
 
@@ -84,11 +86,29 @@ TEST_CASE("a side without a platen is an error") {
   Assembly three = uneven;
   three.particles[2].motion = Motion::free;
   RigidPlatens platens;
-  CHECK_THROWS_WITH_AS(platens.enclose(three, placed(three)),
-                       "RigidPlatens needs four bodies of Motion::platen, one on each side of the "
-                       "middle between them; the assembly has 3",
-                       InvalidInput);
+  CHECK_THROWS_WITH_AS(
+      platens.enclose(three, placed(three)),
+      "RigidPlatens needs four bodies of Motion::platen or Motion::wall, one on each side of the "
+      "middle between them; the assembly has 3",
+      InvalidInput);
   Assembly twice = uneven;
   twice.particles[2].polygon = box({-9, 5}, {9, 6});
   CHECK_THROWS_AS(platens.enclose(twice, placed(twice)), InvalidInput);
+}
+
+TEST_CASE("platens follow when a particle before them is removed, and stay themselves") {
+  Assembly first = uneven;
+  std::rotate(first.particles.begin(), first.particles.begin() + 4, first.particles.end());
+  Particles particles = placed(first);  // platens are 3 to 6
+  RigidPlatens platens;
+  platens.enclose(first, particles);
+  CHECK_THROWS_WITH_AS(platens.remove(4),
+                       "RigidPlatens: body = 4: is a platen of the sample and must stay",
+                       InvalidInput);
+  platens.remove(1);
+  particles.remove(1);
+  CHECK(platens.region(particles).area() == near(7 * 3, 1e-14));
+  platens.set_rate(1, 0);
+  platens.drive(particles.bodies(), 1e-3);
+  CHECK(particles.body(2).velocity.x() == near(3.5, 1e-14));
 }

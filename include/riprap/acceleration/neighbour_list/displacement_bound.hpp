@@ -66,15 +66,19 @@ class DisplacementBound {
     double squared = 0;
     for (const double largest : largest_) squared = std::max(squared, largest);
     std::fill(largest_.begin(), largest_.end(), unknown);
-    current_ = std::sqrt(squared) + 0.5 * near * motion.gradient.norm();
+    current_ = std::sqrt(squared) + 0.5 * near * motion.norm();
     if constexpr (Domain::periodic) {
       // Deviation of the images from the affine motion; half of it counts for each body of a pair.
       const Vec2 affine = domain_.period + componentwise_product(motion.gradient, domain_.period);
       const Vec2 deviation = componentwise_abs(domain.period - affine);
-      current_ += 0.5 * farthest_image * (deviation.x() + deviation.y());
+      const double affine_shear =
+          (1 + motion.gradient.x()) * domain_.shear_offset + motion.shear * domain_.period.y();
+      current_ += 0.5 * farthest_image *
+                  (deviation.x() + deviation.y() + std::abs(domain.shear_offset - affine_shear));
     }
     const AffineMotion measured = measure(particles, domain);
-    increment_ = {measured.gradient - last_.gradient, measured.translation - last_.translation};
+    increment_ = {measured.gradient - last_.gradient, measured.translation - last_.translation,
+                  measured.shear - last_.shear};
     last_ = measured;
     if (current_ > stride) restart(particles, domain);
   }
@@ -95,10 +99,17 @@ class DisplacementBound {
   [[nodiscard]] std::size_t bodies() const { return poses_.size(); }
 
  private:
-  // Moves x to x + gradient * x + translation, axis by axis.
+  // Moves x to x + gradient * x + translation, axis by axis; shear * x_2 comes on top along axis 1.
   struct AffineMotion {
     Vec2 gradient{0, 0};
     Vec2 translation{0, 0};
+    double shear = 0;  // of a periodic cell only
+
+    // Of the largest displacement of a point at most 1 away along each axis, an upper bound.
+    [[nodiscard]] double norm() const {
+      if constexpr (!Domain::periodic) return gradient.norm();
+      return Vec2{std::abs(gradient.x()) + std::abs(shear), gradient.y()}.norm();
+    }
   };
 
   struct Pose {
@@ -107,7 +118,8 @@ class DisplacementBound {
     double circumradius;
 
     [[nodiscard]] double squared_displacement(const Body& body, const AffineMotion& motion) const {
-      const Vec2 affine = componentwise_product(motion.gradient, position) + motion.translation;
+      Vec2 affine = componentwise_product(motion.gradient, position) + motion.translation;
+      if constexpr (Domain::periodic) affine.x() += motion.shear * position.y();
       const Vec2 translation = body.position - position - affine;
       const double dc = body.rotation.cosine - rotation.cosine;
       const double ds = body.rotation.sine - rotation.sine;
@@ -145,6 +157,9 @@ class DisplacementBound {
         motion.translation[axis] = to - from - motion.gradient[axis] * from;
       }
     }
+    if constexpr (Domain::periodic)
+      motion.shear = (domain.shear_offset - (1 + motion.gradient.x()) * domain_.shear_offset) /
+                     domain_.period.y();
     return motion;
   }
 
@@ -152,8 +167,9 @@ class DisplacementBound {
   // extrapolated by one step. Zero for large gradients, by which distant bodies might touch first.
   [[nodiscard]] AffineMotion extrapolated() const {
     const AffineMotion motion{last_.gradient + increment_.gradient,
-                              last_.translation + increment_.translation};
-    return motion.gradient.norm() < 0.5 ? motion : AffineMotion{};
+                              last_.translation + increment_.translation,
+                              last_.shear + increment_.shear};
+    return motion.norm() < 0.5 ? motion : AffineMotion{};
   }
 
   std::vector<Pose> poses_;

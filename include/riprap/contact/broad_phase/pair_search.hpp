@@ -4,6 +4,8 @@
 /// Neighbour search: all pairs of bodies, or of a body and an image of another, that are near.
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <span>
 #include <utility>
@@ -107,14 +109,21 @@ class PairSearch {
       all = {componentwise_min(all.low, boxes_[i].low),
              componentwise_max(all.high, boxes_[i].high)};
     }
-    for (std::size_t i = 0; i < particles.size(); ++i)
-      for (const Image& step : {Image{1, -1}, Image{1, 0}, Image{1, 1}, Image{0, 1}}) {
+    // In the row of images above, those next to the cell: a pair is less than a period apart along
+    // axis 1, and its boxes in the cell less than another.
+    const int above = static_cast<int>(std::lround(-domain.shear_offset / domain.period.x()));
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      const auto add = [&](const Image& step) {
         const Box box = boxes_[i].moved(domain.offset(step));
-        if (!box.overlaps(all)) continue;
+        if (!box.overlaps(all)) return;
         boxes_.push_back(box);
         images_.push_back({static_cast<BodyIndex>(i), images_[i].image + step});
-      }
-    return 1 + std::max(last.axis_1 - first.axis_1, last.axis_2 - first.axis_2);
+      };
+      add({1, 0});
+      for (int k = above - 2; k <= above + 2; ++k) add({k, 1});
+    }
+    const int farthest = domain.shear_offset == 0 ? 1 : std::abs(above) + 2;
+    return farthest + std::max(last.axis_1 - first.axis_1, last.axis_2 - first.axis_2);
   }
 
   // From two boxes to two bodies and the image of the one with the higher index; false for two

@@ -28,7 +28,9 @@ struct Contact {
   BodyIndex b = 0;
   [[no_unique_address]] Image image{};  ///< the copy of b in contact with a, in a periodic domain
   bool touching = false;
-  bool at_platen = false;         ///< one of the two is a platen
+  bool at_platen = false;  ///< one of the two is a platen
+  bool a_is_wall = false;  ///< a wall or a platen
+  bool b_is_wall = false;
   bool crosses_boundary = false;  ///< of the periodic cell: `image` is not b itself
   Cache cache{};
   // Meaningful only while touching.
@@ -46,16 +48,23 @@ struct Contact {
     const TwoDoubles n = pair_of(geometry.normal);  // vectorised
     return vec2_of(n * force.normal + swapped(n) * TwoDoubles{-force.tangential, force.tangential});
   }
-  /// From the centroid of a to that of b [m].
-  [[nodiscard]] Vec2 branch() const { return arm_a - arm_b; }
+  [[nodiscard]] bool at_wall() const { return a_is_wall || b_is_wall; }
+  /// The arms without that on a wall, whose centroid is no part of the sample [m].
+  [[nodiscard]] Vec2 branch_arm_a() const { return a_is_wall ? Vec2{0, 0} : arm_a; }
+  [[nodiscard]] Vec2 branch_arm_b() const { return b_is_wall ? Vec2{0, 0} : arm_b; }
+  /// From the centroid of a to that of b; at a wall from or to the contact point [m].
+  [[nodiscard]] Vec2 branch() const { return branch_arm_a() - branch_arm_b(); }
 
   /// But for the cache, on which no result depends.
+  static constexpr bool has_derived_fields = true;
   static void for_each_field(auto& self, auto&& visit) {
     visit("a", self.a);
     visit("b", self.b);
     visit("image", self.image);
     visit("touching", self.touching);
     visit("at_platen", self.at_platen);
+    visit("a_is_wall", self.a_is_wall);
+    visit("b_is_wall", self.b_is_wall);
     visit("crosses_boundary", self.crosses_boundary);
     visit("geometry", self.geometry);
     visit("history", self.history);

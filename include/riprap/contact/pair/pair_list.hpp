@@ -52,11 +52,23 @@ class PairList {
         next_pairs_.push_back({.a = k.a, .b = k.b, .image = k.image});
       map_.add(kept ? former : PairMap::not_present);
     }
-    std::swap(pairs_, next_pairs_);
-    std::uint64_t revision = keys_.size();
-    for (const Key& k : keys_)
-      revision = splitmix64(revision ^ (static_cast<std::uint64_t>(k.a) << 32 | k.b));
-    map_.finish(revision);
+    finish_revision();
+  }
+
+  /// Body i is gone, and those behind it have moved up by one: so do their pairs, in their order.
+  void remove(BodyIndex i) {
+    keys_.clear();
+    next_pairs_.clear();
+    map_.begin();
+    for (std::uint32_t k = 0; k < pairs_.size(); ++k) {
+      if (pairs_[k].a == i || pairs_[k].b == i) continue;
+      next_pairs_.push_back(pairs_[k]);
+      if (next_pairs_.back().a > i) --next_pairs_.back().a;
+      if (next_pairs_.back().b > i) --next_pairs_.back().b;
+      keys_.push_back(key(next_pairs_.back()));
+      map_.add(k);
+    }
+    finish_revision();
   }
 
   void clear() { pairs_.clear(); }
@@ -81,6 +93,13 @@ class PairList {
   };
   [[nodiscard]] static Key key(const ContactType& contact) {
     return {contact.a, contact.b, contact.image};
+  }
+  void finish_revision() {
+    std::swap(pairs_, next_pairs_);
+    std::uint64_t revision = keys_.size();
+    for (const Key& k : keys_)
+      revision = splitmix64(revision ^ (static_cast<std::uint64_t>(k.a) << 32 | k.b));
+    map_.finish(revision);
   }
 
   std::vector<ContactType> pairs_;

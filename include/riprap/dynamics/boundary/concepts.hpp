@@ -56,6 +56,13 @@ concept BoundaryEnclose = !requires {
   boundary.enclose(assembly, particles);
 };
 
+/// Optional: `boundary.remove(i)`, called before body i is removed between two steps: those behind
+/// it move up by one. Throws InvalidInput for a body that the boundary needs. Another signature
+/// would be ignored silently.
+template <class B>
+concept BoundaryRemove =
+    !requires { &B::remove; } || requires(B& boundary, const BodyIndex i) { boundary.remove(i); };
+
 /// Optional: `boundary.domain()` and `boundary.drift(time_step)`, which brings the domain to the
 /// next poses, once a step: the simulation runs in a periodic cell.
 template <class B>
@@ -70,8 +77,9 @@ concept BoundaryDomain = !requires(B& boundary) { boundary.domain(); } ||
 /// A `Boundary` sets the velocities of driven bodies at the start of every step. The simulation
 /// books the work of the contacts on them.
 template <class B>
-concept Boundary = Policy<B> && requirements::BoundaryDrive<B> &&
-                   requirements::BoundaryEnclose<B> && requirements::BoundaryDomain<B>;
+concept Boundary =
+    Policy<B> && requirements::BoundaryDrive<B> && requirements::BoundaryEnclose<B> &&
+    requirements::BoundaryRemove<B> && requirements::BoundaryDomain<B>;
 
 template <class B>
 consteval bool check_boundary() {
@@ -80,6 +88,8 @@ consteval bool check_boundary() {
                 "riprap: a Boundary must have void drive(std::vector<Body>&, double)");
   static_assert(requirements::BoundaryEnclose<B>,
                 "riprap: enclose of a Boundary must take (const Assembly&, const Particles&)");
+  static_assert(requirements::BoundaryRemove<B>,
+                "riprap: remove of a Boundary must take a BodyIndex");
   static_assert(
       requirements::BoundaryDomain<B>,
       "riprap: a Boundary with a domain() must have PeriodicDomain domain() const and void "

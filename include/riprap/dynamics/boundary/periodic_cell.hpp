@@ -32,8 +32,10 @@ class PeriodicRegion {
   Vec2 centre_;
 };
 
-/// Takes the cell of the assembly and shortens it about its centre at the rates that are set.
-/// Images move with the cell; particles follow through their contacts. Positions are never wrapped.
+/// Takes the cell of the assembly and strains it about its centre at the rates that are set, by
+/// shortening along both axes and by simple shear (Lees and Edwards 1972). Images move with the
+/// cell; particles follow through their contacts. Positions are never wrapped, and the offset of
+/// the rows of images is not reduced, so that no contact changes its images at any shear strain.
 class PeriodicCell {
  public:
   /// Shortening rates along axes 1 and 2 [1/s], positive in compression.
@@ -44,6 +46,15 @@ class PeriodicCell {
   }
   [[nodiscard]] const Vec2& rate() const { return domain_.rate; }
 
+  /// Rate of simple shear dv_1/dx_2 [1/s], twice the tensor component: above 0, what lies higher on
+  /// axis 2 moves towards +1, and the stress component s12 that resists is negative (compression
+  /// is positive).
+  void set_shear_rate(double rate) {
+    require_finite("PeriodicCell: shear rate", rate);
+    domain_.shear_rate = rate;
+  }
+  [[nodiscard]] double shear_rate() const { return domain_.shear_rate; }
+
   /// Throws InvalidInput if the assembly is not periodic, has a boundary of its own, or lies
   /// elsewhere than its cell.
   void enclose(const Assembly& assembly, const Particles& particles) {
@@ -53,6 +64,7 @@ class PeriodicCell {
     require_positive("PeriodicCell: Assembly.period along axis 2", assembly.period.y());
     domain_.period = assembly.period;
     domain_.centre = assembly.centre;
+    domain_.shear_offset = assembly.shear_offset;
     const auto is_near = [&](const Body& body) {
       const Vec2 away = componentwise_abs(body.position - assembly.centre);
       return away.x() <= assembly.period.x() && away.y() <= assembly.period.y();
@@ -66,9 +78,7 @@ class PeriodicCell {
   void drive(std::vector<Body>&, double) const {}
 
   [[nodiscard]] const PeriodicDomain& domain() const { return domain_; }
-  void drift(double time_step) {
-    domain_.period -= time_step * componentwise_product(domain_.rate, domain_.period);
-  }
+  void drift(double time_step) { domain_.drift(time_step); }
 
   [[nodiscard]] PeriodicRegion region(const Particles& particles) const {
     return {particles, domain_};

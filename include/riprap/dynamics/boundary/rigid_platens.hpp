@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Four rigid, smooth walls that close in on the middle between them.
+/// Four rigid walls, smooth or rough, that close in on the middle between them.
 
 #include <algorithm>
 #include <cmath>
@@ -36,10 +36,11 @@ class PlatenRegion {
   Vec2 high_;
 };
 
-/// Moves the inner face of every body of Motion::platen with v = -rate x along its normal, x from
-/// the middle between the faces at the start: one platen on each side of the sample, its centroid
-/// on axis 1 or 2 through the middle, its inner face across that axis. Contacts with platens carry
-/// no tangential force. A platen that has come to the end of its neighbours is a SimulationError.
+/// Moves the inner face of every body of Motion::platen or Motion::wall with v = -rate x along its
+/// normal, x from the middle between the faces at the start: one on each side of the sample, its
+/// centroid on axis 1 or 2 through the middle, its inner face across that axis. Contacts with a
+/// body of Motion::platen carry no tangential force, those with one of Motion::wall that of the
+/// contact law. One that has come to the end of its neighbours is a SimulationError.
 class RigidPlatens {
  public:
   /// Shortening rates along axes 1 and 2 [1/s], positive in compression.
@@ -48,6 +49,9 @@ class RigidPlatens {
 
   /// Throws InvalidInput unless there is one platen on each side.
   void enclose(const Assembly& /*assembly*/, const Particles& particles);
+
+  /// Throws InvalidInput for a platen of its own.
+  void remove(BodyIndex i);
 
   void drive(std::vector<Body>& bodies, double /*time_step*/) const;
 

@@ -29,14 +29,22 @@ RIPRAP_INLINE void RigidPlatens::enclose(const Assembly& /*assembly*/, const Par
   platens_.clear();
   const Vec2 among = middle_of_centroids(particles);
   for (BodyIndex i = 0; i < particles.size(); ++i)
-    if (particles.body(i).motion == Motion::platen) platens_.push_back(platen(particles, i, among));
+    if (particles.body(i).is_wall()) platens_.push_back(platen(particles, i, among));
   int sides = 0;
   for (const Platen& p : platens_) sides |= 1 << (2 * p.axis + (p.to_face > 0 ? 1 : 0));
   if (platens_.size() != 4 || sides != 0b1111)
-    throw InvalidInput("RigidPlatens needs four bodies of Motion::platen, one on each side of "
-                       "the middle between them; the assembly has " +
-                       std::to_string(platens_.size()));
+    throw InvalidInput(
+        "RigidPlatens needs four bodies of Motion::platen or Motion::wall, one on each side of "
+        "the middle between them; the assembly has " +
+        std::to_string(platens_.size()));
   centre_ = region(particles).centre();
+}
+
+RIPRAP_INLINE void RigidPlatens::remove(BodyIndex i) {
+  for (const Platen& p : platens_)
+    require(p.body != i, "RigidPlatens: body", i, "is a platen of the sample and must stay");
+  for (Platen& p : platens_)
+    if (p.body > i) --p.body;
 }
 
 RIPRAP_INLINE void RigidPlatens::drive(std::vector<Body>& bodies, double /*time_step*/) const {
@@ -63,7 +71,7 @@ RIPRAP_INLINE Vec2 RigidPlatens::middle_of_centroids(const Particles& particles)
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
   Vec2 high = -low;
   for (const Body& body : particles.bodies()) {
-    if (body.motion != Motion::platen) continue;
+    if (!body.is_wall()) continue;
     low = componentwise_min(low, body.position);
     high = componentwise_max(high, body.position);
   }

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// Whether an aggregate names all of its members: one that was added later is easily forgotten.
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+
+#include <riprap/checkpoint/field_types.hpp>
+#include <riprap/core/errors.hpp>
+
+namespace riprap::internal {
+
+/// Size of a class whose members are the fields seen, in their order.
+class NamedSize {
+ public:
+  template <class Field>
+  void add() {
+    const std::size_t align = alignof(Field);
+    size_ = (size_ + align - 1) / align * align + sizeof(Field);
+    align_ = std::max(align_, align);
+  }
+  [[nodiscard]] std::size_t size() const { return (size_ + align_ - 1) / align_ * align_; }
+
+ private:
+  std::size_t size_ = 0;
+  std::size_t align_ = 1;
+};
+
+/// Throws InvalidInput for an aggregate that is larger than what it names, unless it says that the
+/// rest is derived: `static constexpr bool has_derived_fields = true`.
+template <class T>
+void require_all_named(const NamedSize& named) {
+  if constexpr (std::is_aggregate_v<T> && !std::is_empty_v<T> &&
+                !requires { T::has_derived_fields; })
+    if (named.size() < sizeof(T))
+      throw InvalidInput("for_each_field of " + std::string(type_name<T>()) + " names " +
+                         std::to_string(named.size()) + " of " + std::to_string(sizeof(T)) +
+                         " bytes: all members, in their order, or has_derived_fields = true");
+}
+
+}  // namespace riprap::internal
