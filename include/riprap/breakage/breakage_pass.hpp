@@ -46,6 +46,8 @@ class BreakagePass {
     on_phase_end(StepPhase::stress_check);
     return cracks_;
   }
+  /// Those of the last call.
+  [[nodiscard]] const Cracks& cracks() const { return cracks_; }
 
  private:
   // Evaluates particle i and stores its crack, or that its cut was refused.
