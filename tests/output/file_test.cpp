@@ -116,6 +116,22 @@ TEST_CASE("appended text is in the file at once, and replaces what was there") {
   CHECK(file.text() == "a,b\n1,2\n");
 }
 
+TEST_CASE("a file that is opened again keeps as much as it is told to") {
+  const test::TemporaryFile file;
+  write_file(file.path(), "a,b\n1,2\n3,");
+  {
+    AppendedFile table(file.path(), 8);
+    CHECK(file.text() == "a,b\n1,2\n");
+    table.append("5,6\n");
+  }
+  CHECK(file.text() == "a,b\n1,2\n5,6\n");
+  CHECK(refusal([&] { AppendedFile(file.path(), 13); }) ==
+        file.path() + " has 12 bytes: 13 had been written");
+  CHECK(file.text().size() == 12);
+  CHECK(refusal([&] { AppendedFile(file.path() + "x", 0); }) ==
+        "cannot write " + file.path() + "x: No such file or directory");
+}
+
 #if __has_include(<sys/resource.h>)
 
 TEST_CASE("a disk that becomes full leaves the old file, and no part of the new one") {

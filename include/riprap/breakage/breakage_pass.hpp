@@ -46,6 +46,8 @@ class BreakagePass {
     on_phase_end(StepPhase::stress_check);
     return cracks_;
   }
+  /// Those of the last call.
+  [[nodiscard]] const Cracks& cracks() const { return cracks_; }
 
   /// Particle i was removed; those behind it have moved up.
   void remove(BodyIndex i) { refused_.remove(i); }

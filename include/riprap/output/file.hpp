@@ -44,6 +44,9 @@ class AppendedFile {
  public:
   /// Throws SimulationError if the file cannot be opened.
   explicit AppendedFile(std::string path, OldFile old = OldFile::replace);
+  /// Keeps the first `kept` bytes of a file that is there and removes the rest. Throws
+  /// SimulationError if the file cannot be opened or is shorter.
+  AppendedFile(std::string path, std::uint64_t kept);
 
   /// Throws SimulationError if the text cannot be written as a whole; the file then ends with what
   /// was appended before.

@@ -85,6 +85,21 @@ RIPRAP_INLINE void AppendedFile::clear() {
   size_ = 0;
 }
 
+RIPRAP_INLINE AppendedFile::AppendedFile(std::string path, std::uint64_t kept)
+    : path_(std::move(path)), file_(std::fopen(path_.c_str(), "r+b")),
+      size_(static_cast<long>(kept)) {
+  if (!file_) internal::throw_cannot_write(path_, errno);
+  std::setvbuf(file_.get(), nullptr, _IONBF, 0);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path_, error);
+  if (!error && size < kept)
+    throw SimulationError(path_ + " has " + std::to_string(size) +
+                          " bytes: " + std::to_string(kept) + " had been written");
+  if (!error) std::filesystem::resize_file(path_, kept, error);
+  if (error) internal::throw_cannot_write(path_, error.value());
+  if (std::fseek(file_.get(), size_, SEEK_SET) != 0) internal::throw_cannot_write(path_, errno);
+}
+
 RIPRAP_INLINE void AppendedFile::append(std::string_view text) {
   if (const int failed = internal::write_and_flush(file_.get(), text)) {
     std::error_code ignored;

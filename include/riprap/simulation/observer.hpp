@@ -108,7 +108,8 @@ inline constexpr auto after_forces = []<class O, class Sim>(O& observer, const S
                   requires(Sim& other) { observer.after_forces(other); }>();
 };
 
-/// Some particles are about to break; poses stay as they are until after_splits.
+/// Some particles are about to break, those of `sim.cracks()`; poses stay as they are until
+/// after_splits.
 inline constexpr auto before_splits = []<class O, class Sim>(O& observer, const Sim& sim) {
   if constexpr (requires { observer.before_splits(sim); })
     observer.before_splits(sim);

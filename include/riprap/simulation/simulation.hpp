@@ -119,6 +119,13 @@ class Simulation : public BodyChanges<Simulation<ModelType>> {
     return particles_.body(i).contact;
   }
   [[nodiscard]] const std::vector<BreakEvent>& breaks() const { return breaks_; }
+  /// For the hook before_splits: the particles that are about to break, still whole and in the
+  /// order of their ids, and how. Elsewhere what the last stress check found.
+  [[nodiscard]] const BreakagePass::Cracks& cracks() const
+    requires breakable
+  {
+    return breakage_.pass.cracks();
+  }
   /// Mean area of the intact particles at the start, platens and prescribed bodies left out [m^2],
   /// and the mass of the smallest free one [kg].
   [[nodiscard]] double mean_area() const { return mean_area_; }
