@@ -34,7 +34,7 @@ TEST_CASE("the effective mass of two free bodies is their product over their sum
   CHECK(effective_mass(particles.body(2), particles.body(1)) == near_relative(1000, 1e-12));
 }
 
-TEST_CASE("the wrench on a body of another task is deferred, the other is added at once") {
+TEST_CASE("a task adds forces to its own bodies only; of any body they are summed pair by pair") {
   Particles particles(1, 1000);
   particles.add(rectangle({0, 0}, 1, 1), Motion::free);
   particles.add(rectangle({0.99, 0.2}, 1, 1), Motion::free);
@@ -51,10 +51,17 @@ TEST_CASE("the wrench on a body of another task is deferred, the other is added 
   CHECK(particles.body(0).contact.force.x() == near_relative(-1e4, 1e-12));
   CHECK(particles.body(0).contact.moment == near_relative(1e3, 1e-12));  // 0.1 m above the centroid
   CHECK(particles.body(1).contact.force.norm() == 0);
-  REQUIRE(task.deferred.size() == 1);
-  CHECK(task.deferred[0].body == 1);
-  CHECK(task.deferred[0].wrench.force.x() == near_relative(1e4, 1e-12));
-  CHECK(task.deferred[0].wrench.moment == near_relative(1e3, 1e-9));  // 0.1 m below the centroid
+  PairIndex index;
+  index.build(pairs, 2);
+  const auto sum = [&](BodyIndex i) {
+    return sum_forces(index.of(i), std::span<const Pair<UnboundedDomain::Image>>(pairs));
+  };
+  CHECK(sum(1).force.x() == near_relative(1e4, 1e-12));
+  CHECK(sum(1).moment == near_relative(1e3, 1e-9));  // 0.1 m below the centroid
+  CHECK(sum(0).force == particles.body(0).contact.force);
+  CHECK(sum(0).moment == particles.body(0).contact.moment);
+  pairs[0].touching = false;
+  CHECK(sum(1).force.norm() == 0);
 }
 
 TEST_CASE("arms and velocities of an image are those of the body, moved by the period") {

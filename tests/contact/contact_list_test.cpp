@@ -146,6 +146,47 @@ TEST_CASE("the contacts of a task are those with one of its bodies, in order") {
   list.for_each_touching_of(task_count(bodies), [&](const auto&, std::size_t) { CHECK(false); });
 }
 
+namespace {
+
+// Runs the tasks in another order than Serial.
+struct LastTaskFirst {
+  template <class Work>
+  void run(std::size_t tasks, Work&& work) const {
+    for (std::size_t k = tasks; k-- > 0;) work(k);
+  }
+};
+
+}  // namespace
+
+TEST_CASE(
+    "a wrench is the sum over the pairs in rising order, whatever the tasks, to the last bit") {
+  constexpr int bodies = 3 * task_size - 100;
+  Particles particles = crowd(4, bodies);
+  Particles same = particles;
+  List list = list_with_skin(0.1);
+  List other = list_with_skin(0.1);
+  for (int step = 0; step < 3; ++step) {
+    drift_all(particles, 0.01);
+    drift_all(same, 0.01);
+    list.update(particles, 0.01);
+    other.update(same, 0.01, LastTaskFirst{});
+    std::vector<Wrench> sums(bodies);
+    list.for_each_touching([&](const auto& c) {  // in rising order, without tasks
+      const Vec2 on_b = c.force_on_b();
+      sums[c.a].subtract(on_b, cross(c.arm_a, on_b));
+      sums[c.b].add(on_b, cross(c.arm_b, on_b));
+    });
+    for (BodyIndex i = 0; i < bodies; ++i) {
+      const Wrench& found = particles.body(i).contact;
+      CHECK(found.force == sums[i].force);
+      CHECK(found.moment == sums[i].moment);
+      CHECK(same.body(i).contact.force == found.force);
+      CHECK(same.body(i).contact.moment == found.moment);
+    }
+  }
+  CHECK(touching_count(list) > 2 * bodies);
+}
+
 TEST_CASE("the revision changes if pairs were added, removed or reordered, and only then") {
   Particles particles = crowd(2, 40);
   List list = list_with_skin(0.1);

@@ -3,6 +3,7 @@
 /// @file
 /// A list of pairs and contacts that a test writes down, and particles for it.
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -29,9 +30,16 @@ struct Touch {
 struct Touches {
   std::vector<Touch> list;
   PairMap pair_map{};
+  mutable PairIndex pair_index{};
 
   [[nodiscard]] std::span<const Touch> pairs() const { return list; }
   [[nodiscard]] const PairMap& map() const { return pair_map; }
+  [[nodiscard]] const PairIndex& index() const {
+    BodyIndex bodies = 0;
+    for (const Touch& touch : list) bodies = std::max(bodies, touch.b + 1);
+    pair_index.build(list, std::max<std::size_t>(bodies, 16));
+    return pair_index;
+  }
   template <class Visit>
   void for_each_touching_of(std::size_t, Visit&& visit) const {
     for (std::size_t k = 0; k < list.size(); ++k)

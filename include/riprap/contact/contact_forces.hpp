@@ -9,6 +9,7 @@
 
 #include <riprap/contact/contact_law/concepts.hpp>
 #include <riprap/contact/pair/contact.hpp>
+#include <riprap/contact/pair/pair_index.hpp>
 #include <riprap/contact/pair/task_partition.hpp>
 #include <riprap/particle/domain.hpp>
 #include <riprap/particle/particles.hpp>
@@ -56,7 +57,28 @@ void find_arms(ContactType& contact, const Body& a, const Body& b, const Domain&
   if (contact.at_platen) (a.motion == Motion::platen ? contact.arm_a : contact.arm_b) = {0, 0};
 }
 
-/// Forces of the touching pairs of a task, and their sums on its bodies.
+/// The force of a touching pair at the present poses. Books it in the pair; returns what it loses.
+/// @param time_step [s] of the motion that led here
+template <class ContactType, class Law, class Domain>
+ContactForce find_force(ContactType& contact, const Particles& particles, const Law& law,
+                        const Domain& domain, double time_step) {
+  const Body& a = particles.body(contact.a);
+  const Body& b = particles.body(contact.b);
+  find_arms(contact, a, b, domain);
+  const Vec2& n = contact.geometry.normal;
+  const Vec2 relative = relative_velocity(contact, particles, domain);
+  const double along = relative.y() * n.x() - relative.x() * n.y();
+  const ContactMotion motion{.normal_velocity = relative.x() * n.x() + relative.y() * n.y(),
+                             .tangential_velocity = contact.at_platen ? 0 : along,
+                             .time_step = time_step,
+                             .effective_mass = effective_mass(a, b)};
+  const ContactForce force = law(contact.geometry, motion, contact.history);
+  contact.force = {force.normal, force.tangential};
+  return force;
+}
+
+/// Forces of the touching pairs of a task, and their sums on its bodies. Those on its
+/// `shared_bodies` lack the pairs of other tasks: `sum_forces` follows when all tasks have ended.
 /// @param touching indices of its touching pairs, in order
 /// @param time_step [s] of the motion that led here
 template <class ContactType, class Law, class Domain>
@@ -65,38 +87,41 @@ void find_forces(ContactTask& task, std::span<ContactType> pairs,
                  const Domain& domain, double time_step) {
   for (std::size_t i = task.first_body; i < task.last_body; ++i)
     particles.body(static_cast<BodyIndex>(i)).contact = Wrench{};
-  task.deferred.clear();
   double largest_overlap = 0;
   double friction_loss = 0;
   double viscous_loss = 0;
   for (const std::uint32_t k : touching) {
     ContactType& contact = pairs[k];
-    Body& a = particles.body(contact.a);
-    Body& b = particles.body(contact.b);
-    find_arms(contact, a, b, domain);
+    const ContactForce force = find_force(contact, particles, law, domain, time_step);
     largest_overlap = std::max(largest_overlap, contact.geometry.area);
-    const Vec2& n = contact.geometry.normal;
-    const Vec2 relative = relative_velocity(contact, particles, domain);
-    const double along = relative.y() * n.x() - relative.x() * n.y();
-    const ContactMotion motion{.normal_velocity = relative.x() * n.x() + relative.y() * n.y(),
-                               .tangential_velocity = contact.at_platen ? 0 : along,
-                               .time_step = time_step,
-                               .effective_mass = effective_mass(a, b)};
-    const ContactForce force = law(contact.geometry, motion, contact.history);
-    contact.force = {force.normal, force.tangential};
     friction_loss += force.friction_loss;
     viscous_loss += force.viscous_loss;
     const Vec2 on_b = contact.force_on_b();
-    a.contact.subtract(on_b, cross(contact.arm_a, on_b));
-    const double moment = cross(contact.arm_b, on_b);
+    particles.body(contact.a).contact.subtract(on_b, cross(contact.arm_a, on_b));
     if (contact.b < task.last_body)
-      b.contact.add(on_b, moment);
-    else
-      task.deferred.push_back({contact.b, {on_b, moment}});
+      particles.body(contact.b).contact.add(on_b, cross(contact.arm_b, on_b));
   }
   task.largest_overlap = largest_overlap;
   task.friction_loss = friction_loss;
   task.viscous_loss = viscous_loss;
+}
+
+/// The wrench on a body: the sum over its touching pairs, in their order.
+/// @param sides of all its pairs, in order
+template <class ContactType>
+[[nodiscard]] Wrench sum_forces(std::span<const PairSide> sides,
+                                std::span<const ContactType> pairs) {
+  Wrench sum;
+  for (const PairSide side : sides) {
+    const ContactType& contact = pairs[side.pair()];
+    if (!contact.touching) continue;
+    const Vec2 on_b = contact.force_on_b();
+    if (side.is_b())
+      sum.add(on_b, cross(contact.arm_b, on_b));
+    else
+      sum.subtract(on_b, cross(contact.arm_a, on_b));
+  }
+  return sum;
 }
 
 }  // namespace riprap

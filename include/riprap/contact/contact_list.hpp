@@ -21,6 +21,7 @@
 #include <riprap/contact/neighbour_list/rebuild_every_step.hpp>
 #include <riprap/contact/overlap_limit.hpp>
 #include <riprap/contact/pair/contact.hpp>
+#include <riprap/contact/pair/pair_index.hpp>
 #include <riprap/contact/pair/pair_list.hpp>
 #include <riprap/contact/pair/task_partition.hpp>
 #include <riprap/core/errors.hpp>
@@ -55,6 +56,9 @@ class ContactList {
   [[nodiscard]] std::uint64_t revision() const { return list_.revision(); }
   /// From the revision before to this one: arrays that run parallel to the pairs follow by it.
   [[nodiscard]] const PairMap& map() const { return list_.map(); }
+
+  /// The pairs of each body.
+  [[nodiscard]] const PairIndex& index() const { return index_; }
 
   /// Calls `visit(contact)` for every pair that touches, in order.
   template <class Visit>
@@ -128,7 +132,7 @@ class ContactList {
       on_phase_end(StepPhase::narrow_phase);
       execution.run(tasks_.size(), forces);
     }
-    add_deferred(particles);
+    sum_shared(particles, execution);
     on_phase_end(StepPhase::contact_law);
   }
 
@@ -243,6 +247,7 @@ class ContactList {
       pair.b_is_wall = particles.body(pair.b).is_wall();
     }
     partition_pairs(pairs(), particles.size(), tasks_);
+    index_.build(pairs(), particles.size());
     touching_.resize(list_.size());
     smallest_area_ = std::numeric_limits<double>::infinity();
     for (BodyIndex i = 0; i < particles.size(); ++i)
@@ -254,11 +259,14 @@ class ContactList {
     return {touching_.data() + task.first_pair, task.touching};
   }
 
-  // Reduced in task order, so the result does not depend on scheduling.
-  void add_deferred(Particles& particles) {
+  // Bodies with pairs in several tasks: the division into tasks does not enter the sum.
+  template <Execution E>
+  void sum_shared(Particles& particles, const E& execution) {
+    execution.run(tasks_.size(), [&](std::size_t t) {
+      for (const BodyIndex i : tasks_[t].shared_bodies)
+        particles.body(i).contact = sum_forces(index_.of(i), pairs());
+    });
     for (const ContactTask& task : tasks_) {
-      for (const DeferredWrench& d : task.deferred)
-        particles.body(d.body).contact.add(d.wrench.force, d.wrench.moment);
       friction_loss_ += task.friction_loss;
       viscous_loss_ += task.viscous_loss;
     }
@@ -272,6 +280,7 @@ class ContactList {
   [[no_unique_address]] Domain domain_{};
   PairList<ContactType> list_;
   DividedContacts<ContactType> divided_;
+  PairIndex index_;
   std::vector<ContactTask> tasks_;
   std::vector<ContactType> restored_;    // touching pairs, from `for_each_field` to `restore`
   std::vector<std::uint32_t> touching_;  // of each task, from the index of its first pair on

@@ -49,7 +49,9 @@ class Particles {
   [[nodiscard]] const ParticleShape& shape(BodyIndex i) const { return shapes_[i]; }
   [[nodiscard]] const Ancestry& ancestry(BodyIndex i) const { return ancestries_[i]; }
 
-  /// Vertices in the laboratory frame, at the body's present pose.
+  /// Vertices in the laboratory frame: those of the body's own, moved to its pose. A function of
+  /// the two from the start, so that the vertices of an added polygon may differ from it by
+  /// round-off.
   [[nodiscard]] Ring ring(BodyIndex i) const {
     return {placed_.data() + shapes_[i].first, shapes_[i].count};
   }

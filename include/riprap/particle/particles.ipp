@@ -58,10 +58,11 @@ RIPRAP_INLINE void Particles::place(BodyIndex index, const ConvexPolygon& polygo
                       .count = static_cast<std::uint32_t>(polygon.size())};
   for (const Vec2& v : polygon) {
     local_.push_back(v - properties.centroid);
-    placed_.push_back(v);
     shape.circumradius = std::max(shape.circumradius, local_.back().norm());
   }
   shapes_[index] = shape;
+  placed_.resize(local_.size());
+  update_ring(index);
 
   Ancestry& ancestry = ancestries_[index];
   ancestry = {.id = next_id_++};

@@ -45,13 +45,10 @@ template <TouchingContacts Contacts>
 /// gathered in parallel.
 class ContactLoads {
  public:
-  /// Discards all loads. `gather` refers to the present pairs of `contacts`.
+  /// Discards all loads. `gather` and `sides` refer to the present pairs of `contacts`.
   template <ListedContacts Contacts>
   void begin(const Contacts& contacts, std::size_t particles) {
-    if (revision_ != contacts.map().to() || ranges_.size() != particles) {
-      revision_ = contacts.map().to();
-      index_.build(contacts.pairs(), particles);
-    }
+    index_ = &contacts.index();
     ranges_.assign(particles, {});
     tasks_.resize(task_count(particles));
     for (auto& task : tasks_) task.clear();
@@ -62,7 +59,7 @@ class ContactLoads {
   void gather(const Contacts& contacts, BodyIndex i) {
     std::vector<ContactLoad>& all = tasks_[task_of(i)];
     ranges_[i].first = static_cast<std::uint32_t>(all.size());
-    for (const PairSide side : index_.of(i)) {
+    for (const PairSide side : index_->of(i)) {
       const auto& contact = contacts.pairs()[side.pair()];
       if (contact.touching) all.push_back(load_on(contact, side));
     }
@@ -75,7 +72,7 @@ class ContactLoads {
     return {all + ranges_[i].first, all + ranges_[i].last};
   }
   /// All pairs of particle i, touching or not.
-  [[nodiscard]] std::span<const PairSide> sides(BodyIndex i) const { return index_.of(i); }
+  [[nodiscard]] std::span<const PairSide> sides(BodyIndex i) const { return index_->of(i); }
 
  private:
   struct Range {
@@ -83,8 +80,7 @@ class ContactLoads {
     std::uint32_t last = 0;
   };
 
-  PairIndex index_;
-  std::uint64_t revision_ = 0;
+  const PairIndex* index_ = nullptr;  // of the contacts that `begin` was given
   std::vector<std::vector<ContactLoad>> tasks_;
   std::vector<Range> ranges_;  // of each particle, within its task
 };

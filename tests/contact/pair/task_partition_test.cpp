@@ -30,4 +30,7 @@ TEST_CASE(
   CHECK(tasks[0].shared_pairs.empty());
   CHECK(tasks[1].shared_pairs == std::vector<std::uint32_t>{1});
   CHECK(tasks[2].shared_pairs == std::vector<std::uint32_t>{2, 4});
+  CHECK(tasks[0].shared_bodies.empty());
+  CHECK(tasks[1].shared_bodies == std::vector<BodyIndex>{t});
+  CHECK(tasks[2].shared_bodies == std::vector<BodyIndex>{2 * t, 2 * t + 1});
 }

@@ -11,23 +11,18 @@
 
 #include <riprap/core/execution/serial.hpp>
 #include <riprap/core/ids.hpp>
-#include <riprap/particle/body.hpp>
 
 namespace riprap {
 
-/// A wrench on a body of another task, added after all tasks have ended.
-struct DeferredWrench {
-  BodyIndex body = 0;
-  Wrench wrench;
-};
-
-/// Pairs whose first body is one of the task's own: it adds forces to its own bodies only.
+/// Pairs whose first body is one of the task's own: it adds forces to its own bodies only. Bodies
+/// that also have pairs in earlier tasks are summed once all tasks have ended.
 struct ContactTask {
   std::size_t first_body = 0;
   std::size_t last_body = 0;
   std::size_t first_pair = 0;
   std::size_t last_pair = 0;
   std::vector<std::uint32_t> shared_pairs{};  ///< of earlier tasks with a body of this, in order
+  std::vector<BodyIndex> shared_bodies{};     ///< its bodies in `shared_pairs`, in order
   // Found by the detection.
   std::size_t touching = 0;               ///< number of touching pairs
   std::vector<std::uint32_t> crossing{};  ///< those across the boundary of a periodic cell
@@ -35,7 +30,6 @@ struct ContactTask {
   double largest_overlap = 0;  ///< [m^2]
   double friction_loss = 0;    ///< [J]
   double viscous_loss = 0;     ///< [J]
-  std::vector<DeferredWrench> deferred{};
 };
 
 /// Distributes pairs that are sorted by their bodies `a` < `b` over tasks of `task_size` bodies.
@@ -55,11 +49,20 @@ void partition_pairs(std::span<const ContactType> pairs, std::size_t bodies,
     task.last_pair = index();
     task.touching = 0;
     task.shared_pairs.clear();
+    task.shared_bodies.clear();
   });
   for (const ContactTask& task : tasks)
     for (std::size_t k = task.first_pair; k < task.last_pair; ++k)
-      if (pairs[k].b >= task.last_body)
-        tasks[task_of(pairs[k].b)].shared_pairs.push_back(static_cast<std::uint32_t>(k));
+      if (pairs[k].b >= task.last_body) {
+        ContactTask& other = tasks[task_of(pairs[k].b)];
+        other.shared_pairs.push_back(static_cast<std::uint32_t>(k));
+        other.shared_bodies.push_back(pairs[k].b);
+      }
+  for (ContactTask& task : tasks) {
+    std::vector<BodyIndex>& shared = task.shared_bodies;
+    std::sort(shared.begin(), shared.end());
+    shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
+  }
 }
 
 }  // namespace riprap
