@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // biaxial: a biaxial test on breakable polygons, with curves and pictures at the end
 
+#include <cstdio>
+
 #include "../command_line/program.hpp"
 #include "options.hpp"
+#include "result_files.hpp"
 #include "runs.hpp"
 
 namespace {
@@ -22,6 +25,10 @@ Outcome run_chosen(const Options& options) {
 
 int main(int argc, char** argv) {
   const Options options = read_options(argc, argv);
+  if (!options.resume.empty() && is_finished(options.resume)) {
+    std::printf("the run in %s is finished\n", options.resume.c_str());
+    return command_line::finished;
+  }
   return command_line::run_program(options.names, [&] {
     return run_chosen(options) == Outcome::finished ? command_line::finished : command_line::failed;
   });

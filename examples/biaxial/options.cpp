@@ -4,6 +4,10 @@
 #include "options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <vector>
 
 #include "../command_line/config_file.hpp"
 #include "../command_line/program.hpp"
@@ -17,6 +21,11 @@ using command_line::OptionTable;
 void add_program(OptionTable& table, Options& o) {
   table.begin_group("Program", false);
   table.add_text("--out", o.out, "folder for the results");
+  table.add_text("--resume", o.resume,
+                 "go on with the run in this folder, from its last checkpoint, with its options; "
+                 "beside it only --strain and those of this group");
+  table.add_number("--checkpoint-every", o.checkpoint_every, "checkpoint_every",
+                   "steps between checkpoints; 0: only when SIGINT, SIGTERM or SIGUSR1 comes");
   table.add_number("--threads", o.threads, "Threads.count", "that share the work")
       ->check(CLI::Range(1U, 1024U));
   table.add_flag("--timer", o.timer, "print which part of a step takes how much time");
@@ -39,6 +48,31 @@ void apply_preset(OptionTable& table, Options& o) {
                 "--preset");
   if (o.preset == "recommended") o.line_fit = "mean-tension";
   if (o.preset == "paper") o.support = "pinned";
+}
+
+// The command that goes on with a run: its folder and its file of parameters.
+std::vector<std::string> with_resumed_options(std::vector<std::string> arguments) {
+  const auto is_option = [](const std::string& argument, const std::string& name) {
+    return argument == name || argument.starts_with(name + "=");
+  };
+  std::string folder;
+  for (std::size_t k = 0; k < arguments.size(); ++k) {
+    if (arguments[k].starts_with("--resume=")) folder = arguments[k].substr(9);
+    if (arguments[k] == "--resume" && k + 1 < arguments.size()) folder = arguments[k + 1];
+  }
+  if (folder.empty()) return arguments;
+  constexpr const char* allowed[] = {"--resume", "--strain", "--threads", "--checkpoint-every",
+                                     "--timer",  "--help",   "--version"};
+  for (const std::string& argument : arguments)
+    if (argument.starts_with("--") &&
+        std::none_of(std::begin(allowed), std::end(allowed),
+                     [&](const char* name) { return is_option(argument, name); }))
+      throw CLI::ValidationError(argument, "does not go with --resume, which takes the options of "
+                                           "the run that goes on");
+  for (const std::string& more :
+       {std::string("--config"), folder + "/parameters.toml", std::string("--out"), folder})
+    arguments.push_back(more);
+  return arguments;
 }
 
 // What goes together, and with this build.
@@ -70,8 +104,11 @@ struct Reader {
     add_program(table, options);
   }
 
-  void parse(int argc, const char* const* argv) {
-    app.parse(argc, argv);
+  void parse(const std::vector<std::string>& arguments) {
+    std::vector<std::string> all = with_resumed_options(arguments);
+    std::vector<const char*> argv{"biaxial"};
+    for (const std::string& argument : all) argv.push_back(argument.c_str());
+    app.parse(static_cast<int>(argv.size()), argv.data());
     command_line::check_config_option(app);
     table.check_choices();
     apply_preset(table, options);
@@ -87,15 +124,13 @@ struct Reader {
 }  // namespace
 
 Options options_from(const std::vector<std::string>& arguments) {
-  std::vector<const char*> argv{"biaxial"};
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
   Reader reader;
-  reader.parse(static_cast<int>(argv.size()), argv.data());
+  reader.parse(arguments);
   return reader.options;
 }
 
 Options read_options(int argc, char** argv) {
   Reader reader;
-  command_line::parse_or_exit(reader.app, [&] { reader.parse(argc, argv); });
+  command_line::parse_or_exit(reader.app, [&] { reader.parse({argv + 1, argv + argc}); });
   return reader.options;
 }

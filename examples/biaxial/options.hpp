@@ -53,6 +53,8 @@ struct Options {
   unsigned check_every = 1;
 
   std::string out = "biaxial-out";
+  std::string resume{};  // the folder of a run that was stopped; then `out` as well
+  unsigned checkpoint_every = 0;
   unsigned threads = 1;
   bool timer = false;
 

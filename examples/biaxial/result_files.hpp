@@ -4,10 +4,14 @@
 
 #include <array>
 #include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>
 
 #include <riprap/output/paraview.hpp>
+
+#include "checkpoints.hpp"
 
 inline constexpr std::array result_files{
     "curves.svg",       "assembly_before.svg", "assembly_after.svg", "forces_before.svg",
@@ -27,6 +31,14 @@ inline void remove_results(const std::filesystem::path& folder) {
       if (!std::filesystem::is_directory(folder / file, ignored))
         std::filesystem::remove(folder / file, ignored);
   riprap::ParaViewSeries::remove(paraview_folder(folder));
+  remove_checkpoints(folder);
+}
+
+// Whether a run has left all its results in a folder.
+inline bool is_finished(const std::filesystem::path& folder) {
+  std::ifstream file(folder / "summary.json");
+  const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
+  return summary.is_object() && summary.value("status", "") == "finished";
 }
 
 // Those that are there, separated by commas.

@@ -14,7 +14,7 @@
 #include <riprap/output/force_chain_picture.hpp>
 #include <riprap/output/paraview.hpp>
 
-#include "../command_line/stop_signal.hpp"
+#include "checkpoints.hpp"
 #include "policies.hpp"
 #include "result_files.hpp"
 #include "runs.hpp"
@@ -98,6 +98,8 @@ struct Pictures {
         .save(folder / "displacement.svg");
   }
 
+  static void for_each_field(auto& self, auto&& visit) { visit("paths", self.paths); }
+
  private:
   template <class Sim>
   static std::string pressure_text(const riprap::BiaxialView<Sim>& view) {
@@ -129,6 +131,8 @@ struct OptionalSeries {
   void record(const riprap::BiaxialView<Sim>& view) {
     if (wanted) series.record(view);
   }
+
+  static void for_each_field(auto& self, auto&& visit) { visit("series", self.series); }
 };
 
 inline void save_charts(const riprap::Curve& curve, const std::filesystem::path& folder) {
@@ -153,7 +157,7 @@ void keep_failed_run(const Options& o, const Sim& sim, const riprap::Curve& curv
 template <class ModelType, class... Observers>
 Outcome run(const Options& o, ModelType model, Observers&... observers) {
   using namespace riprap;
-  const command_line::StopOnSignal stop;
+  command_line::note_signals();
   const Assembly assembly = assembly_for(model.motion_model.boundary, o);
   Simulation sim{std::move(model), assembly, o.rock};
   sim.set_breakage(o.breakage == "on");
@@ -162,20 +166,26 @@ Outcome run(const Options& o, ModelType model, Observers&... observers) {
   // Everything in the command is right: what stood in the folder may go.
   const std::filesystem::path folder = o.out;
   make_folder(folder);
-  remove_results(folder);
+  // One that was stopped before its first checkpoint begins anew.
+  const bool resumes =
+      !o.resume.empty() && !CheckpointFolder(checkpoint_folder(folder)).files().empty();
+  if (!resumes) remove_results(folder);
   write_file(folder / "parameters.toml", o.toml);
   Curve curve;
-  CurveFiles tables{curve, folder};
+  CurveFiles tables{curve, folder, resumes ? OldFile::keep : OldFile::replace};
   OptionalSeries series{o.paraview, ParaViewSeries{paraview_folder(folder)}};
+  Pictures pictures{folder};
   Progress progress;
-  BiaxialResult result;
+  auto test = o.test.start(sim, curve, tables, series, pictures, progress, observers...);
+  if (resumes) resume(o, test, sim, curve, tables, series, pictures, progress, observers...);
   try {
-    result = o.test.run(sim, curve, tables, series, Pictures{folder}, progress, stop, observers...);
+    run_with_checkpoints(o, test, sim, curve, tables, series, pictures, progress, observers...);
   } catch (const std::exception& error) {
     keep_failed_run(o, sim, curve, progress.warnings(), error.what());
     // Whatever the kind of error: the command was right, and the run failed.
     throw SimulationError(error.what());
   }
+  const BiaxialResult result = test.result();
   if (!curve.points().empty())
     progress.check().check_energy(curve.points().back().energy, curve.points().back().axial_strain);
   write_file(folder / "summary.json",
@@ -183,5 +193,6 @@ Outcome run(const Options& o, ModelType model, Observers&... observers) {
   save_charts(curve, folder);
   print_summary(o, sim, result, curve);
   print_checks(progress.check().table());
+  if (!result.interrupted) remove_checkpoints(folder);
   return result.interrupted ? Outcome::interrupted : Outcome::finished;
 }

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+// A test that can be stopped and go on.
+
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include <riprap/checkpoint/checkpoint_folder.hpp>
+
+#include "../command_line/stop_signal.hpp"
+#include "options.hpp"
+
+inline std::filesystem::path checkpoint_folder(const std::filesystem::path& folder) {
+  return folder / "checkpoints";
+}
+
+inline void remove_checkpoints(const std::filesystem::path& folder) {
+  const std::filesystem::path of = checkpoint_folder(folder);
+  std::error_code ignored;
+  for (const auto& file : riprap::CheckpointFolder(of).files())
+    std::filesystem::remove(file, ignored);
+  std::filesystem::remove(of, ignored);  // fails, as it should, where something else is in it
+}
+
+// Goes on from the newest checkpoint of the folder.
+template <class Run, class Sim, class... Observers>
+void resume(const Options& o, Run& run, Sim& sim, Observers&... observers) {
+  const auto warn = [](const char* message) { std::fprintf(stderr, "warning: %s\n", message); };
+  const auto file =
+      riprap::CheckpointFolder(checkpoint_folder(o.out)).read_newest(warn, sim, run, observers...);
+  std::fprintf(stderr, "going on from %s\n", file.string().c_str());
+}
+
+// All steps of a test. A checkpoint is written every so many steps, at SIGUSR1, and at SIGINT and
+// SIGTERM, which end the test.
+template <class Run, class Sim, class... Observers>
+void run_with_checkpoints(const Options& o, Run& run, Sim& sim, Observers&... observers) {
+  const riprap::CheckpointFolder checkpoints(checkpoint_folder(o.out));
+  while (run.advance()) {
+    const bool stops = command_line::stop_signal != 0;
+    const bool is_due = o.checkpoint_every > 0 && sim.steps() % o.checkpoint_every == 0;
+    if (stops || is_due || command_line::checkpoint_signal != 0) {
+      command_line::checkpoint_signal = 0;
+      checkpoints.write(sim, run, observers...);
+    }
+    if (!stops) continue;
+    std::fprintf(stderr, "stopped; --resume %s goes on\n", o.out.c_str());
+    run.stop();
+  }
+}
