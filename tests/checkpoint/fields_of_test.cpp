@@ -175,7 +175,7 @@ namespace {
 struct Doubled {
   double number = 1;
   double twice = 2;  // derived
-  static constexpr bool has_derived_fields = true;
+  static constexpr bool names_all_members = false;
 
   static void for_each_field(auto& self, auto&& visit) { visit("number", self.number); }
   void restored() { twice = 2 * number; }
@@ -183,7 +183,7 @@ struct Doubled {
 struct Sum {
   std::vector<Doubled> parts{};
   double sum = 0;
-  static constexpr bool has_derived_fields = true;
+  static constexpr bool names_all_members = false;
 
   static void for_each_field(auto& self, auto&& visit) { visit("parts", self.parts); }
   void restored() {

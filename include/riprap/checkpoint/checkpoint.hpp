@@ -24,7 +24,7 @@ namespace internal {
 template <class Sim>
 struct GivenModel {
   const Sim& sim;
-  static constexpr bool has_derived_fields = true;
+  static constexpr bool names_all_members = false;
 
   static void for_each_field(auto& self, auto&& visit) {
     visit("policies", self.sim.model());
@@ -36,7 +36,7 @@ struct GivenModel {
 template <class... Parts>
 struct NumberedParts {
   std::tuple<Parts&...> parts;
-  static constexpr bool has_derived_fields = true;
+  static constexpr bool names_all_members = false;
 
   static void for_each_field(auto& self, auto&& visit) {
     std::size_t k = 0;

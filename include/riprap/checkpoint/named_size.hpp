@@ -30,15 +30,15 @@ class NamedSize {
 };
 
 /// Throws InvalidInput for an aggregate that is larger than what it names, unless it says that the
-/// rest is derived: `static constexpr bool has_derived_fields = true`.
+/// rest is derived: `static constexpr bool names_all_members = false`.
 template <class T>
 void require_all_named(const NamedSize& named) {
   if constexpr (std::is_aggregate_v<T> && !std::is_empty_v<T> &&
-                !requires { T::has_derived_fields; })
+                !requires { T::names_all_members; })
     if (named.size() < sizeof(T))
       throw InvalidInput("for_each_field of " + std::string(type_name<T>()) + " names " +
                          std::to_string(named.size()) + " of " + std::to_string(sizeof(T)) +
-                         " bytes: all members, in their order, or has_derived_fields = true");
+                         " bytes: all members, in their order, or names_all_members = false");
 }
 
 }  // namespace riprap::internal

@@ -28,6 +28,7 @@ struct Crossing {
     return (value - first) / (target - first);
   }
 
+  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) {
     visit("first", self.first);
     visit("from_below", self.from_below);
@@ -71,6 +72,7 @@ struct StrainReached {
     visit("strain", self.strain);
     visit("of", self.of);
   }
+  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) { visit("crossing", self.crossing); }
 
  private:
@@ -108,6 +110,7 @@ struct StressReached {
     visit("stress", self.stress);
     visit("of", self.of);
   }
+  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) { visit("crossing", self.crossing); }
 
  private:

@@ -30,6 +30,7 @@ struct Conditions {
     for (const One& part : parts) std::visit([&](const auto& c) { validate_part(c, owner); }, part);
   }
 
+  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) {
     for (std::size_t k = 0; k < self.parts.size(); ++k)
       std::visit([&](auto& c) { visit(("part_" + std::to_string(k)).c_str(), c); }, self.parts[k]);

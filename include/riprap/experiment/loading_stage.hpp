@@ -88,6 +88,7 @@ struct LoadingStage {
     visit("at_cap", self.at_cap);
   }
 
+  static constexpr bool names_all_members = false;
   /// Those of the stage's controls and of its condition.
   static void for_each_field(auto& self, auto&& visit) {
     std::visit([&](auto& c) { visit("axis_1", c); }, self.axis_1);

@@ -93,6 +93,7 @@ struct LoadingView {
            std::sqrt(sim.rock().density / sample_stiffness());
   }
 
+  static constexpr bool names_all_members = false;
   /// What a run that goes on needs; the rest follows from the path and the simulation.
   static void for_each_field(auto& self, auto&& visit) {
     visit("done", self.done);

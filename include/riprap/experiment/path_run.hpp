@@ -64,6 +64,19 @@ class PathRun {
     return result_;
   }
 
+  /// Ends the path after the step just made, as an observer's `stop_requested` would have.
+  void stop() {
+    if (finished()) return;
+    view_.interrupted = true;
+    if (open_) {
+      if (stage().records && last_record_ != sim_.steps()) record();
+      close_stage(false);
+    } else {
+      result_.interrupted = true;
+      give_back();
+    }
+  }
+
   [[nodiscard]] bool finished() const { return index_ == stages_.size() || result_.interrupted; }
   [[nodiscard]] const PathResult& result() const { return result_; }
   [[nodiscard]] const View& view() const { return view_; }

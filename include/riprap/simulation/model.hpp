@@ -213,7 +213,7 @@ struct Model {
   }
 
   /// What results depend on: all but acceleration and execution.
-  static constexpr bool has_derived_fields = true;
+  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) {
     visit("contact", self.contact_model);
     visit("motion", self.motion_model);

@@ -34,7 +34,7 @@ struct ContactModel {
   LawT law{};
 
   /// But for the broad phase, on which no result depends.
-  static constexpr bool has_derived_fields = true;
+  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) {
     visit("narrow_phase", self.narrow_phase);
     visit("contact_law", self.law);

@@ -56,7 +56,7 @@ struct Contact {
   [[nodiscard]] Vec2 branch() const { return branch_arm_a() - branch_arm_b(); }
 
   /// But for the cache, on which no result depends.
-  static constexpr bool has_derived_fields = true;
+  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) {
     visit("a", self.a);
     visit("b", self.b);
