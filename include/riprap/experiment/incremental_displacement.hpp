@@ -19,7 +19,7 @@ struct Move {
   bool is_free = true;
 };
 
-/// An observer of BiaxialTest that follows all particles there are at `begin`. Of one that breaks
+/// An observer of a test that follows all particles there are at `begin`. Of one that breaks
 /// it follows all pieces: together they have one centroid, for which dust stays where it broke off.
 /// Platens do not count.
 class IncrementalDisplacement {

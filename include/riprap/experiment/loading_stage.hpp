@@ -109,7 +109,7 @@ consteval bool check_ends(const std::variant<E...>*) {
 }
 
 /// Refuses controls and end conditions that a run in `View` could not call.
-template <class Control, class End, class View>
+template <class View, class Control, class End>
 consteval bool check_stage(const LoadingStage<Control, End>*) {
   return check_controls<View>(static_cast<const Control*>(nullptr)) &
          check_ends<View>(static_cast<const End*>(nullptr));

@@ -77,6 +77,8 @@ struct LoadingView {
   /// Normal stress along axis 1 or 2 [Pa].
   [[nodiscard]] double stress(int axis) const { return axis == 1 ? stress().s11 : stress().s22; }
 
+  /// The rate at which axis 2 is strained, or axis 1 where axis 2 is not [1/s]; not negative.
+  [[nodiscard]] double strain_rate() const { return std::abs(rate.y() != 0 ? rate.y() : rate.x()); }
   /// Since the start of the stage [s].
   [[nodiscard]] double stage_time() const { return sim.time() - stage_begun; }
   /// The strain rate [1/s] of an inertial number at a pressure [Pa].
