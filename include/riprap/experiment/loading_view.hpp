@@ -71,7 +71,7 @@ struct LoadingView {
 
   /// Over the whole assembly [Pa]; computed once a step. Throws SimulationError if not finite.
   [[nodiscard]] const Stress2& stress() const {
-    if (!known_stress) measure_stress();
+    if (!known_stress) known_stress = measured_stress();
     return *known_stress;
   }
   /// Normal stress along axis 1 or 2 [Pa].
@@ -111,9 +111,9 @@ struct LoadingView {
   }
 
  private:
-  [[gnu::noinline]] void measure_stress() const {
+  [[nodiscard, gnu::noinline]] Stress2 measured_stress() const {
     try {
-      known_stress = average_stress(sim.contacts(), area, sim.particles().thickness());
+      return average_stress(sim.contacts(), area, sim.particles().thickness());
     } catch (const InvalidInput& error) {
       throw SimulationError(error.what());
     }

@@ -3,8 +3,6 @@
 /// @file
 /// Stages of monotonic shear: axis 2 is shortened, and axis 1 does what the kind of test asks for.
 
-#include <utility>
-
 #include <riprap/experiment/loading_stage.hpp>
 
 namespace riprap {
@@ -19,10 +17,10 @@ struct ShearOptions {
 
 namespace internal {
 
-[[nodiscard]] inline LoadingStage<> shear_stage(const char* name, AxisControl lateral,
+[[nodiscard]] inline LoadingStage<> shear_stage(const char* name, const AxisControl& lateral,
                                                 const ShearOptions& options) {
   return {.name = name,
-          .axis_1 = std::move(lateral),
+          .axis_1 = lateral,
           .axis_2 = EngineeringRate{.rate_of_strain = {.inertial_number = options.inertial_number}},
           .end = StrainReached{.strain = options.axial_strain},
           .record_every = options.record_every};
