@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct CheckedNumber {
   bool measured = false;
   Stage stage = Stage::compaction;  ///< where `worst` was met
   double axial_strain = 0;
+  std::string stage_name{};  ///< in the path; empty: that of `stage`
 
   /// Whether a value keeps to the limit; one that is not a number does not.
   [[nodiscard]] bool allows(double value) const {
@@ -57,7 +59,8 @@ class CheckTable {
 
   /// Takes a value of a row. Returns a sentence the first time that the row is beyond its limit,
   /// else an empty text.
-  std::string measure(std::size_t row, double value, Stage stage, double axial_strain);
+  std::string measure(std::size_t row, double value, Stage stage, double axial_strain,
+                      std::string_view stage_name = {});
 
   static void for_each_field(auto& self, auto&& visit) { visit("rows", self.rows_); }
 

@@ -21,7 +21,7 @@ RIPRAP_INLINE std::size_t CheckTable::violations() const {
 }
 
 RIPRAP_INLINE std::string CheckTable::measure(std::size_t row, double value, Stage stage,
-                                              double axial_strain) {
+                                              double axial_strain, std::string_view stage_name) {
   CheckedNumber& number = rows_[row];
   const bool held = number.holds();
   const bool is_worse =
@@ -30,6 +30,7 @@ RIPRAP_INLINE std::string CheckTable::measure(std::size_t row, double value, Sta
     number.worst = value;
     number.stage = stage;
     number.axial_strain = axial_strain;
+    number.stage_name = stage_name;
   }
   number.measured = true;
   return held && !number.holds() ? sentence(number) : std::string{};
@@ -38,7 +39,9 @@ RIPRAP_INLINE std::string CheckTable::measure(std::size_t row, double value, Sta
 RIPRAP_INLINE std::string CheckTable::sentence(const CheckedNumber& number) {
   return number.name + " = " + to_text(number.worst) +
          (number.is_upper_limit ? " above " : " below ") + to_text(number.limit) + " at strain " +
-         to_text(number.axial_strain) + " of " + to_text(number.stage) + ": " + number.reason;
+         to_text(number.axial_strain) + " of " +
+         (number.stage_name.empty() ? to_text(number.stage) : number.stage_name) + ": " +
+         number.reason;
 }
 
 }  // namespace riprap

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// The curves of a biaxial test: everything measured, at each record.
+/// The curves of a test: everything measured, at each record.
 
 #include <algorithm>
 #include <cstdint>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include <riprap/experiment/stage.hpp>
@@ -20,7 +21,7 @@
 
 namespace riprap {
 
-/// One state of a biaxial test; SI units, strains and ratios as fractions.
+/// One state of a test; SI units, strains and ratios as fractions.
 struct CurvePoint {
   double axial_strain = 0;
   double volumetric_strain = 0;
@@ -35,7 +36,8 @@ struct CurvePoint {
   double overlap_ratio = 0;    ///< mean overlap over mean diameter
   StateAverages state;
   std::size_t lost_particles = 0;
-  EnergyTerms energy;  ///< since the start of shear
+  EnergyTerms energy;           ///< since the start of shear, of a path the start of loading
+  std::size_t stage_index = 0;  ///< in the path
 
   [[nodiscard]] double sin_phi() const { return riprap::sin_phi(stress); }
   [[nodiscard]] double inner_sin_phi() const { return riprap::sin_phi(inner_stress); }
@@ -66,6 +68,7 @@ struct CurvePoint {
     visit("state", self.state);
     visit("lost_particles", self.lost_particles);
     visit("energy", self.energy);
+    visit("stage_index", self.stage_index);
   }
 
  private:
@@ -75,17 +78,23 @@ struct CurvePoint {
 /// A break and where in the test it happened.
 struct BiaxialBreak {
   Stage stage = Stage::shear;
-  double axial_strain = 0;  ///< since the start of the stage
+  double axial_strain = 0;
   BreakEvent event;
+  std::string stage_name{};  ///< in the path
+
+  [[nodiscard]] std::string name() const {
+    return stage_name.empty() ? to_text(stage) : stage_name;
+  }
 
   static void for_each_field(auto& self, auto&& visit) {
     visit("stage", self.stage);
     visit("axial_strain", self.axial_strain);
     visit("event", self.event);
+    visit("stage_name", self.stage_name);
   }
 };
 
-/// An observer of BiaxialTest that measures at each record and keeps the energy ledger of shear.
+/// An observer of a test that measures at each record and keeps the energy ledger of its loading.
 class Curve {
  public:
   [[nodiscard]] const std::vector<CurvePoint>& points() const { return points_; }
@@ -101,7 +110,7 @@ class Curve {
 
   template <class Sim>
   void begin_stage(const BiaxialView<Sim>& view) {
-    if (view.stage != Stage::shear) return;
+    if (view.stage != Stage::loading || view.loading_stage > 0) return;
     ledger_.open(view.sim);
     breakages_before_shear_ = view.sim.breaks().size();
   }
@@ -111,7 +120,7 @@ class Curve {
   }
   template <class Sim>
   void record_break(const BiaxialView<Sim>& view, const BreakEvent& event) {
-    breaks_.push_back({view.stage, view.axial_strain(), event});
+    breaks_.push_back({view.stage, view.axial_strain(), event, std::string(view.stage_name)});
   }
 
   template <class Sim>
@@ -157,12 +166,13 @@ class Curve {
     p.particles = particles.size();
     p.breakages = view.sim.breaks().size() - breakages_before_shear_;
     p.fabric = fabric(contact_samples(contacts));
-    p.inertial_number =
-        inertial_number(view.rate.y(), view.mean_diameter, particles.density(), p.stress.mean());
+    p.inertial_number = inertial_number(view.strain_rate(), view.mean_diameter, particles.density(),
+                                        p.stress.mean());
     p.state = state_averages(contacts, particles, view.sim.body_force());
     p.overlap_ratio = p.state.mean_overlap / view.mean_diameter;
     p.lost_particles = region.lost();
     p.energy = ledger_.terms(view.sim);
+    p.stage_index = view.stage_index;
     return p;
   }
 

@@ -12,7 +12,7 @@
 
 namespace riprap {
 
-/// An observer of BiaxialTest that keeps the centroid of every particle at each record and break.
+/// An observer of a test that keeps the centroid of every particle at each record and break.
 /// Platens are no particles: they have no path. Memory grows with records times particles, not with
 /// steps.
 class DisplacementPaths {

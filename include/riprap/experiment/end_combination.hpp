@@ -85,4 +85,33 @@ struct AllOf : internal::Conditions<One> {
   }
 };
 
+namespace internal {
+
+/// The alternative of a variant that combines conditions as `Of` does.
+template <template <class> class Of, class Variant>
+struct Combination;
+template <template <class> class Of, class First, class... T>
+struct Combination<Of, std::variant<First, T...>> : Combination<Of, std::variant<T...>> {};
+template <template <class> class Of, class One, class... T>
+struct Combination<Of, std::variant<Of<One>, T...>> {
+  using Type = Of<One>;
+  using Part = One;
+};
+
+/// A control or a condition as a variant with more alternatives than the one it comes from.
+template <class Wider, class T>
+[[nodiscard]] Wider widened(const T& part) {
+  return Wider(part);
+}
+template <class Wider, template <class> class Of, class One>
+  requires requires(Of<One> combination) { combination.parts; }
+[[nodiscard]] Wider widened(const Of<One>& combination) {
+  typename Combination<Of, Wider>::Type all;
+  for (const One& part : combination.parts)
+    all.parts.push_back(std::visit(
+        [](const auto& c) { return widened<typename Combination<Of, Wider>::Part>(c); }, part));
+  return all;
+}
+
+}  // namespace internal
 }  // namespace riprap

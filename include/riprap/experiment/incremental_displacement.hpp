@@ -25,7 +25,7 @@ struct Move {
   }
 };
 
-/// An observer of BiaxialTest that follows all particles there are at `begin`. Of one that breaks
+/// An observer of a test that follows all particles there are at `begin`. Of one that breaks
 /// it follows all pieces: together they have one centroid, for which dust stays where it broke off.
 /// Platens do not count.
 class IncrementalDisplacement {

@@ -72,7 +72,7 @@ struct LoadingPath {
       return other;
     } else {
       const auto as = []<class V>(const auto& value, std::type_identity<V>) {
-        return std::visit([](const auto& c) { return V(c); }, value);
+        return std::visit([](const auto& c) { return internal::widened<V>(c); }, value);
       };
       return {.name = other.name,
               .axis_1 = as(other.axis_1, std::type_identity<decltype(StageT::axis_1)>{}),

@@ -101,17 +101,17 @@ namespace internal {
 
 template <class View, class... C>
 consteval bool check_controls(const std::variant<C...>*) {
-  return (check_control<C, View>() & ...);
+  return (check_control<C, View>() && ...);
 }
 template <class View, class... E>
 consteval bool check_ends(const std::variant<E...>*) {
-  return (check_end<E, View>() & ...);
+  return (check_end<E, View>() && ...);
 }
 
 /// Refuses controls and end conditions that a run in `View` could not call.
-template <class Control, class End, class View>
+template <class View, class Control, class End>
 consteval bool check_stage(const LoadingStage<Control, End>*) {
-  return check_controls<View>(static_cast<const Control*>(nullptr)) &
+  return check_controls<View>(static_cast<const Control*>(nullptr)) &&
          check_ends<View>(static_cast<const End*>(nullptr));
 }
 

@@ -71,12 +71,14 @@ struct LoadingView {
 
   /// Over the whole assembly [Pa]; computed once a step. Throws SimulationError if not finite.
   [[nodiscard]] const Stress2& stress() const {
-    if (!known_stress) measure_stress();
+    if (!known_stress) known_stress = measured_stress();
     return *known_stress;
   }
   /// Normal stress along axis 1 or 2 [Pa].
   [[nodiscard]] double stress(int axis) const { return axis == 1 ? stress().s11 : stress().s22; }
 
+  /// The rate at which axis 2 is strained, or axis 1 where axis 2 is not [1/s]; not negative.
+  [[nodiscard]] double strain_rate() const { return std::abs(rate.y() != 0 ? rate.y() : rate.x()); }
   /// Since the start of the stage [s].
   [[nodiscard]] double stage_time() const { return sim.time() - stage_begun; }
   /// The strain rate [1/s] of an inertial number at a pressure [Pa].
@@ -109,9 +111,9 @@ struct LoadingView {
   }
 
  private:
-  [[gnu::noinline]] void measure_stress() const {
+  [[nodiscard, gnu::noinline]] Stress2 measured_stress() const {
     try {
-      known_stress = average_stress(sim.contacts(), area, sim.particles().thickness());
+      return average_stress(sim.contacts(), area, sim.particles().thickness());
     } catch (const InvalidInput& error) {
       throw SimulationError(error.what());
     }

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <riprap/core/compiler.hpp>
+
 namespace riprap {
 
 /// What a stage leaves beside the observers' records.

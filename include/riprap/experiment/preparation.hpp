@@ -25,16 +25,21 @@ struct Preparation {
 
   /// Throws InvalidInput that names the value and the rule.
   void validate(const std::string& owner = "Preparation") const {
-    const auto positive = [&](const char* name, double value) {
-      require_positive(owner + "." + name, value);
-    };
-    positive("inertial_number", inertial_number);
-    positive("jam_pressure", jam_pressure);
-    positive("jam_kinetic_ratio", jam_kinetic_ratio);
-    positive("compaction_inertial_number", compaction_inertial_number);
-    positive("rest_unbalanced_force", rest_unbalanced_force);
-    positive("hydrostatic_tolerance", hydrostatic_tolerance);
-    positive("hydrostatic_unbalanced_force", hydrostatic_unbalanced_force);
+    for_each_parameter(*this, [&](const char* name, const auto& value) {
+      require_positive(owner + "." + name, static_cast<double>(value));
+    });
+  }
+
+  template <class Self, class Visit>
+  static void for_each_parameter(Self& self, Visit&& visit) {
+    visit("inertial_number", self.inertial_number);
+    visit("jam_pressure", self.jam_pressure);
+    visit("jam_kinetic_ratio", self.jam_kinetic_ratio);
+    visit("compaction_inertial_number", self.compaction_inertial_number);
+    visit("rest_unbalanced_force", self.rest_unbalanced_force);
+    visit("hydrostatic_tolerance", self.hydrostatic_tolerance);
+    visit("hydrostatic_unbalanced_force", self.hydrostatic_unbalanced_force);
+    visit("most_steps", self.most_steps);
   }
 
   /// Up to a hydrostatic pressure [Pa].

@@ -8,10 +8,8 @@
 #include <riprap/experiment/loading_view.hpp>
 #include <riprap/simulation/observer.hpp>
 
-namespace riprap {
-
 /// Hooks that a test adds to those of a simulation step.
-namespace hooks {
+namespace riprap::hooks {
 
 /// Which hooks an observer has, in a test of the simulation `Sim`.
 template <class O, class Sim>
@@ -111,5 +109,4 @@ inline constexpr auto end_stage = []<class O, class View>(O& observer, const Vie
                   requires(View& other) { observer.end_stage(other); }>();
 };
 
-}  // namespace hooks
-}  // namespace riprap
+}  // namespace riprap::hooks

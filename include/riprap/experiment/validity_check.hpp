@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -40,7 +41,7 @@ struct Limits {
   double lost_particles = 0;        ///< free particles outside the boundary
 };
 
-/// An observer of BiaxialTest that keeps the worst value of every number beside its limit, and
+/// An observer of a test that keeps the worst value of every number beside its limit, and
 /// collects a warning the first time that one is out of range.
 class ValidityCheck {
  public:
@@ -64,7 +65,7 @@ class ValidityCheck {
     const auto region = view.sim.boundary().region(particles);
     const StateAverages state = state_averages(contacts, particles, view.sim.body_force());
     check(view, inertia_,
-          inertial_number(view.rate.y(), view.mean_diameter, particles.density(),
+          inertial_number(view.strain_rate(), view.mean_diameter, particles.density(),
                           stress(view).mean()));
     check(view, overlap_, state.mean_overlap / view.mean_diameter);
     check(view, time_step_,
@@ -128,10 +129,11 @@ class ValidityCheck {
 
   template <class Sim>
   void check(const BiaxialView<Sim>& view, std::size_t row, double value) {
-    check(row, value, view.stage, view.axial_strain());
+    check(row, value, view.stage, view.axial_strain(), view.stage_name);
   }
-  void check(std::size_t row, double value, Stage stage, double axial_strain) {
-    std::string warning = table_.measure(row, value, stage, axial_strain);
+  void check(std::size_t row, double value, Stage stage, double axial_strain,
+             std::string_view stage_name = {}) {
+    std::string warning = table_.measure(row, value, stage, axial_strain, stage_name);
     if (!warning.empty()) warnings_.push_back(std::move(warning));
   }
 

@@ -102,7 +102,7 @@ RIPRAP_INLINE CsvColumns<BiaxialBreak> breakage_columns() {
   using B = BiaxialBreak;
   static constexpr internal::NamedCell<BiaxialBreak> cells[]{
       {"step", [](const B& b) { return cell(b.event.step); }},
-      {"stage", [](const B& b) { return cell(to_text(b.stage)); }},
+      {"stage", [](const B& b) { return cell(b.name()); }},
       {"axial_strain", [](const B& b) { return cell(b.axial_strain); }},
       {"particle", [](const B& b) { return cell(b.event.particle.id); }},
       {"parent", [](const B& b) { return id_cell(b.event.particle.parent); }},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// The tables of a biaxial test as files that grow with it.
+/// The tables of a test as files that grow with it.
 
 #include <cstddef>
 #include <filesystem>
@@ -45,7 +45,7 @@ class CsvFile {
   std::size_t written_ = 0;
 };
 
-/// An observer of BiaxialTest that writes `curve.csv`, `energy.csv` and `breakages.csv` into a
+/// An observer of a test that writes `curve.csv`, `energy.csv` and `breakages.csv` into a
 /// folder: a row is in its file as soon as it is recorded, also if the program is killed
 /// afterwards. Give it to the test after the Curve whose rows it writes:
 ///

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Tells a person at a terminal how far a biaxial test is.
+/// Tells a person at a terminal how far a test is.
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -17,7 +19,7 @@
 
 namespace riprap {
 
-/// An observer of BiaxialTest that prints stage, share done, time left in the stage, breakages
+/// An observer of a test that prints stage, share done, time left in the stage, breakages
 /// of shear and warnings: on a terminal a line that is rewritten, elsewhere a line now and then.
 class Progress {
  public:
@@ -77,8 +79,8 @@ class Progress {
   template <class Sim>
   [[gnu::cold]] void print(const BiaxialView<Sim>& view) const {
     const double elapsed = std::chrono::duration<double>(Clock::now() - begun_).count();
-    std::string line = to_text(view.stage);
-    line.resize(12, ' ');
+    std::string line(view.name());
+    line.resize(std::max<std::size_t>(12, line.size() + 2), ' ');
     line += percent(view.done) + "  " + seconds(elapsed);
     // An estimate from the first per cent is worth nothing.
     if (view.done > 0.01 && view.done < 1)
