@@ -3,7 +3,6 @@
 /// @file
 /// The friction during compaction with which a sample comes to a given porosity.
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 

@@ -8,11 +8,19 @@
 
 namespace riprap {
 
+namespace internal {
+
+template <class L>
+concept GivesOtherFriction = requires(const L& law) { law.with_friction(0.0); };
+template <class L>
+concept HasFriction = requires(L& law) { law.friction = 0.0; };
+
+}  // namespace internal
+
 /// A law whose friction can be set: by its own `with_friction(mu)`, or a member `friction`.
 template <class L>
-concept FrictionalLaw = ContactLaw<L> && (
-                                             requires(const L& law) { law.with_friction(0.0); } ||
-                                             requires(L& law) { law.friction = 0.0; });
+concept FrictionalLaw =
+    ContactLaw<L> && (internal::GivesOtherFriction<L> || internal::HasFriction<L>);
 
 /// The same law with a friction coefficient of mu [-]. Contacts of a simulation whose law is
 /// exchanged keep their tangential forces, which slip at the next step where they are above the new
@@ -21,7 +29,7 @@ concept FrictionalLaw = ContactLaw<L> && (
 template <FrictionalLaw L>
 [[nodiscard]] L with_friction(const L& law, double mu) {
   require_non_negative("with_friction: friction", mu);
-  if constexpr (requires { law.with_friction(mu); }) {
+  if constexpr (internal::GivesOtherFriction<L>) {
     return law.with_friction(mu);
   } else {
     L copy = law;
