@@ -27,7 +27,7 @@ class FrictionForPorosity {
   /// @param tolerance of the porosity
   /// Throws InvalidInput if they are not so.
   FrictionForPorosity(double target, double largest, double tolerance = 1e-3)
-      : target_(target), tolerance_(tolerance), high_{largest, 0}, friction_(0) {
+      : target_(target), tolerance_(tolerance), high_{largest, 0} {
     require(target > 0 && target < 1, "FrictionForPorosity: target", target,
             "must lie between 0 and 1");
     require_positive("FrictionForPorosity: largest friction", largest);
@@ -99,7 +99,7 @@ class FrictionForPorosity {
   double tolerance_;
   End low_;
   End high_;
-  double friction_;
+  double friction_ = 0;
   int last_side_ = 0;
   unsigned tried_ = 0;
   bool found_ = false;
