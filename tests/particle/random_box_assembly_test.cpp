@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <riprap/geometry/overlap.hpp>
+#include <riprap/particle/random_assembly.hpp>
 #include <support/near.hpp>
 
 using namespace riprap;
@@ -76,6 +77,43 @@ TEST_CASE("in a periodic cell no particle overlaps an image of another") {
   CHECK(crosses);  // else the border would be a wall
 }
 
+TEST_CASE(
+    "boxes and cells of any aspect ratio hold the same particles at the same solid fraction") {
+  for (const double aspect : {0.25, 1.0, 3.0}) {
+    CAPTURE(aspect);
+    const RandomAssembly of{.count = 150, .seed = 5, .aspect_ratio = aspect, .walls = Motion::wall};
+    const Assembly box = random_platen_assembly(of);
+    // Inner faces: right, left, top, bottom.
+    const double right = box.particles[0].polygon.ring()[0].x();
+    const double top =
+        area_properties(box.particles[2].polygon.ring()).centroid.y() - 0.5 * of.mean_diameter;
+    CHECK(right / top == near_relative(aspect, 1e-12));
+    CHECK(area_of(grains(box)) / (4 * right * top) == near(of.solid_fraction, 1e-12));
+    for (std::size_t k = 0; k < 4; ++k) {
+      const PlacedParticle& wall = box.particles[k];
+      CHECK(wall.motion == Motion::wall);
+      const Vec2 centre = area_properties(wall.polygon.ring()).centroid;
+      const double out = (k % 2 == 0 ? 1.0 : -1.0) * ((k < 2 ? right : top) + 0.5 * 0.016);
+      CHECK((centre - (k < 2 ? Vec2{out, 0} : Vec2{0, out})).norm() <= 1e-14);
+      CHECK(area_properties(wall.polygon.ring()).area ==
+            near_relative(0.016 * 4 * (k < 2 ? top : right), 1e-12));
+    }
+    for (const ConvexPolygon& p : grains(box))
+      for (const Vec2& v : p) CHECK((std::abs(v.x()) < right && std::abs(v.y()) < top));
+
+    const Assembly cell = random_periodic_assembly(of);
+    CHECK(cell.period.x() / cell.period.y() == near_relative(aspect, 1e-12));
+    const auto inside = grains(cell);
+    CHECK(area_of(inside) / cell.period.prod() == near(of.solid_fraction, 1e-12));
+    for (std::size_t i = 0; i < inside.size(); ++i)
+      for (std::size_t j = i + 1; j < inside.size(); ++j)
+        for (int p = -1; p <= 1; ++p)
+          for (int q = -1; q <= 1; ++q)
+            CHECK_FALSE(overlap_in_area(
+                inside[i], inside[j].moved({}, Vec2{p * cell.period.x(), q * cell.period.y()})));
+  }
+}
+
 TEST_CASE("box assemblies: same seed, same bytes; another seed, another assembly") {
   for (const auto make : {random_platen_assembly, random_periodic_assembly}) {
     const auto first = grains(make(options));
@@ -89,4 +127,12 @@ TEST_CASE("box assemblies: same seed, same bytes; another seed, another assembly
 TEST_CASE("box assemblies check their options") {
   CHECK_THROWS_AS((void)random_platen_assembly({.count = 3}), InvalidInput);
   CHECK_THROWS_AS((void)random_periodic_assembly({.thickness = 0}), InvalidInput);
+  CHECK_THROWS_WITH_AS((void)random_platen_assembly({.aspect_ratio = 0}),
+                       "RandomAssembly.aspect_ratio = 0: must be a finite number above 0",
+                       InvalidInput);
+  CHECK_THROWS_WITH_AS((void)random_platen_assembly({.walls = Motion::free}),
+                       "RandomAssembly.walls = 0: must be Motion::platen or Motion::wall",
+                       InvalidInput);
+  CHECK_THROWS_WITH_AS((void)random_assembly({.aspect_ratio = 2}),
+                       "RandomAssembly.aspect_ratio = 2: must be 1 for a ring", InvalidInput);
 }

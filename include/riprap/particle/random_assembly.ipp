@@ -50,6 +50,8 @@ RIPRAP_INLINE void place_ring(std::vector<ConvexPolygon>& polygons, double dense
 
 RIPRAP_INLINE Assembly random_assembly(const RandomAssembly& options) {
   options.validate();
+  require(options.aspect_ratio == 1, "RandomAssembly.aspect_ratio", options.aspect_ratio,
+          "must be 1 for a ring");
   Random random(options.seed);
   const double d = internal::mean_diameter(options);
   internal::RandomPolygons random_ones = internal::random_polygons(options, random);

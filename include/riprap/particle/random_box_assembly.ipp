@@ -10,10 +10,17 @@ namespace riprap {
 
 namespace internal {
 
-/// A place in a square of half side `half` about the origin.
-[[nodiscard]] RIPRAP_INLINE Vec2 place_in_square(double half, Random& random) {
-  const double x = random.uniform(-half, half);
-  return {x, random.uniform(-half, half)};
+/// Half width and half height of the rectangle that the polygons fill by the solid fraction [m].
+[[nodiscard]] RIPRAP_INLINE Vec2 half_extents(const RandomAssembly& options, double area) {
+  const double half = 0.5 * std::sqrt(area / options.solid_fraction);
+  const double stretch = std::sqrt(options.aspect_ratio);
+  return {half * stretch, half / stretch};
+}
+
+/// A place in a rectangle about the origin.
+[[nodiscard]] RIPRAP_INLINE Vec2 place_in_box(const Vec2& half, Random& random) {
+  const double x = random.uniform(-half.x(), half.x());
+  return {x, random.uniform(-half.y(), half.y())};
 }
 
 }  // namespace internal
@@ -22,20 +29,27 @@ RIPRAP_INLINE Assembly random_platen_assembly(const RandomAssembly& options) {
   options.validate();
   Random random(options.seed);
   internal::RandomPolygons made = internal::random_polygons(options, random);
-  const double half = 0.5 * std::sqrt(made.area / options.solid_fraction);
+  const Vec2 half = internal::half_extents(options, made.area);
 
   Assembly assembly{.thickness = options.thickness, .particles = {}};
   const double d = internal::mean_diameter(options);
-  const double end = 2 * half;
-  const ConvexPolygon right{{half, -end}, {half + d, -end}, {half + d, end}, {half, end}};
-  for (const Rotation& side : {Rotation{1, 0}, Rotation{-1, 0}, Rotation{0, 1}, Rotation{0, -1}})
-    assembly.particles.push_back({right.moved(side, {0, 0}), Motion::platen});
+  // On the right, for a rectangle that extends by `to_face` along axis 1.
+  const auto platen = [d](double to_face, double across) {
+    const double end = 2 * across;
+    return ConvexPolygon{{to_face, -end}, {to_face + d, -end}, {to_face + d, end}, {to_face, end}};
+  };
+  for (const double side : {1.0, -1.0})
+    assembly.particles.push_back(
+        {platen(half.x(), half.y()).moved(Rotation{side, 0}, {0, 0}), options.walls});
+  for (const double side : {1.0, -1.0})
+    assembly.particles.push_back(
+        {platen(half.y(), half.x()).moved(Rotation{0, side}, {0, 0}), options.walls});
   internal::place_at_random(
-      made, assembly, [&] { return internal::place_in_square(half, random); },
+      made, assembly, [&] { return internal::place_in_box(half, random); },
       [half](const internal::PlacementGrid& placed, const ConvexPolygon& candidate,
              const Vec2& centre) {
         for (const Vec2& v : candidate)
-          if (v.cwiseAbs().maxCoeff() >= half) return false;
+          if (std::abs(v.x()) >= half.x() || std::abs(v.y()) >= half.y()) return false;
         return placed.is_clear(candidate.ring(), centre);
       });
   return assembly;
@@ -45,16 +59,17 @@ RIPRAP_INLINE Assembly random_periodic_assembly(const RandomAssembly& options) {
   options.validate();
   Random random(options.seed);
   internal::RandomPolygons made = internal::random_polygons(options, random);
-  const double side = std::sqrt(made.area / options.solid_fraction);
+  const Vec2 half = internal::half_extents(options, made.area);
+  const Vec2 period = 2 * half;
 
-  Assembly assembly{.thickness = options.thickness, .particles = {}, .period = {side, side}};
+  Assembly assembly{.thickness = options.thickness, .particles = {}, .period = period};
   internal::place_at_random(
-      made, assembly, [&] { return internal::place_in_square(0.5 * side, random); },
-      [side](const internal::PlacementGrid& placed, const ConvexPolygon& candidate,
-             const Vec2& centre) {
+      made, assembly, [&] { return internal::place_in_box(half, random); },
+      [period](const internal::PlacementGrid& placed, const ConvexPolygon& candidate,
+               const Vec2& centre) {
         for (int i = -1; i <= 1; ++i)
           for (int j = -1; j <= 1; ++j) {
-            const Vec2 offset{i * side, j * side};
+            const Vec2 offset{i * period.x(), j * period.y()};
             if (!placed.is_clear(candidate.moved({}, offset).ring(), centre + offset)) return false;
           }
         return true;

@@ -34,6 +34,11 @@ struct RandomAssembly {
   /// Outlines to choose from at random, turned at random and scaled to the diameters; their own
   /// size and place do not count. Empty: random polygons of `shape`.
   std::vector<ConvexPolygon> outlines = {};
+  /// Width along axis 1 over height along axis 2 [-], of the box of random_platen_assembly or the
+  /// cell of random_periodic_assembly; 1 for random_assembly, whose outline is a circle.
+  double aspect_ratio = 1;
+  /// Of the walls of random_platen_assembly: smooth (Motion::platen) or rough (Motion::wall).
+  Motion walls = Motion::platen;
 
   /// Throws InvalidInput that names the value and the rule.
   void validate() const;

@@ -22,6 +22,9 @@ RIPRAP_INLINE void RandomAssembly::validate() const {
           boundary_spacing, "must lie in (0, 2]");
   require(diameters.empty() || diameters.size() == count, "RandomAssembly.diameters.size()",
           static_cast<double>(diameters.size()), "must be 0 or RandomAssembly.count");
+  require_positive("RandomAssembly.aspect_ratio", aspect_ratio);
+  require(walls == Motion::platen || walls == Motion::wall, "RandomAssembly.walls",
+          static_cast<double>(walls), "must be Motion::platen or Motion::wall");
   for (const double d : diameters) require_positive("RandomAssembly.diameters", d);
   shape.validate();
 }

@@ -95,7 +95,7 @@ class BodyChanges {
   /// has broken or was removed.
   [[nodiscard]] BodyIndex index_of(ParticleId id) const {
     const auto found = sim().particles().find(id);
-    require(found.has_value(), "particle", id, "must be in the simulation");
+    if (!found) throw InvalidInput(particle_text(id) + ": must be in the simulation");
     return *found;
   }
 

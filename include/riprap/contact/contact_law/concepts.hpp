@@ -74,6 +74,14 @@ concept ContactLawFrictionless =
       { law.frictionless() } -> std::convertible_to<L>;
     };
 
+/// Optional: `law.with_friction(mu)` -> another law of its type with that friction coefficient [-].
+/// A non-const function would be ignored silently.
+template <class L>
+concept ContactLawWithFriction =
+    !requires(L& law) { law.with_friction(0.0); } || requires(const L& law) {
+      { law.with_friction(0.0) } -> std::convertible_to<L>;
+    };
+
 /// Optional: `law.divided_history(history, geometry, part)` -> the history with which the contact
 /// `part` of a piece begins, from those of the contact before the break. Its stored energy should
 /// be at most `part.share` of what it was. Without it the piece with the contact's point gets the
@@ -92,14 +100,16 @@ concept ContactLawDivided =
 /// A `ContactLaw` computes contact forces.
 ///
 /// Optional: a member `friction` [-], or `law.frictionless()` that returns another law of its type:
-/// experiments take the friction away while they compact, if the law can be assigned. A member
+/// experiments take the friction away while they compact, if the law can be assigned; likewise
+/// `law.with_friction(mu)` for samples that are compacted with another friction. A member
 /// `may_pull` that is true: the normal force may be negative. `law.divided_history` for contacts of
 /// particles that break.
 template <class L>
 concept ContactLaw =
     Policy<L> && requirements::ContactLawHistory<L> && requirements::ContactLawCall<L> &&
     requirements::ContactLawEnergy<L> && requirements::ContactLawStiffness<L> &&
-    requirements::ContactLawFrictionless<L> && requirements::ContactLawDivided<L>;
+    requirements::ContactLawFrictionless<L> && requirements::ContactLawWithFriction<L> &&
+    requirements::ContactLawDivided<L>;
 
 template <class L>
 consteval bool check_contact_law() {
@@ -119,6 +129,9 @@ consteval bool check_contact_law() {
                   "riprap: a ContactLaw must have double peak_stiffness() const");
     static_assert(requirements::ContactLawFrictionless<L>,
                   "riprap: frictionless() of a ContactLaw must be const and return such a law");
+    static_assert(
+        requirements::ContactLawWithFriction<L>,
+        "riprap: with_friction(double) of a ContactLaw must be const and return such a law");
     static_assert(requirements::ContactLawDivided<L>,
                   "riprap: divided_history of a ContactLaw must be History divided_history(const "
                   "History&, const ContactGeometry&, const DividedContact&) const");

@@ -7,6 +7,7 @@
 
 #include <riprap/contact/contact_law/concepts.hpp>
 #include <riprap/contact/contact_law/frictionless.hpp>
+#include <riprap/contact/contact_law/with_friction.hpp>
 
 namespace riprap {
 
@@ -58,6 +59,16 @@ struct ContactLawChoice {
   [[nodiscard]] ContactLawChoice frictionless() const {
     return std::visit([](const auto& law) { return ContactLawChoice{riprap::frictionless(law)}; },
                       chosen);
+  }
+  /// Throws InvalidInput for a law without friction, unless mu is 0.
+  [[nodiscard]] ContactLawChoice with_friction(double mu) const {
+    return std::visit(
+        [mu]<class Law>(const Law& law) {
+          if constexpr (FrictionalLaw<Law>) return ContactLawChoice{riprap::with_friction(law, mu)};
+          require(mu == 0, "with_friction: friction", mu, "must be 0 for a law without friction");
+          return ContactLawChoice{law};
+        },
+        chosen);
   }
 
   static void for_each_field(auto& self, auto&& visit) { visit("chosen", self.chosen); }
