@@ -12,6 +12,7 @@
 #include <riprap/output/curve_files.hpp>
 #include <riprap/output/displacement_picture.hpp>
 #include <riprap/output/force_chain_picture.hpp>
+#include <riprap/output/frames.hpp>
 #include <riprap/output/paraview.hpp>
 
 #include "../command_line/stop_signal.hpp"
@@ -131,6 +132,33 @@ struct OptionalSeries {
   }
 };
 
+// An observer that writes frames where they are wanted.
+struct OptionalFrames {
+  bool wanted;
+  riprap::FrameWriter frames;
+
+  template <class Sim>
+  void begin_stage(const riprap::BiaxialView<Sim>& view) {
+    if (wanted) frames.begin_stage(view);
+  }
+  template <class Sim>
+  void progress(const riprap::BiaxialView<Sim>& view) {
+    if (wanted) frames.progress(view);
+  }
+  template <class Sim>
+  void end_stage(const riprap::BiaxialView<Sim>& view) {
+    if (wanted) frames.end_stage(view);
+  }
+  template <class Sim>
+  void before_splits(const Sim& sim) {
+    if (wanted) frames.before_splits(sim);
+  }
+  template <class Sim>
+  void record_break(const riprap::BiaxialView<Sim>& view, const riprap::BreakEvent& event) {
+    if (wanted) frames.record_break(view, event);
+  }
+};
+
 inline void save_charts(const riprap::Curve& curve, const std::filesystem::path& folder) {
   if (!curve.points().empty())
     riprap::chart_sheet(riprap::curve_charts(curve)).save(folder / "curves.svg");
@@ -167,10 +195,12 @@ Outcome run(const Options& o, ModelType model, Observers&... observers) {
   Curve curve;
   CurveFiles tables{curve, folder};
   OptionalSeries series{o.paraview, ParaViewSeries{paraview_folder(folder)}};
+  OptionalFrames frames{o.frames, FrameWriter{frames_folder(folder)}};
   Progress progress;
   BiaxialResult result;
   try {
-    result = o.test.run(sim, curve, tables, series, Pictures{folder}, progress, stop, observers...);
+    result = o.test.run(sim, curve, tables, series, frames, Pictures{folder}, progress, stop,
+                        observers...);
   } catch (const std::exception& error) {
     keep_failed_run(o, sim, curve, progress.warnings(), error.what());
     // Whatever the kind of error: the command was right, and the run failed.
