@@ -31,6 +31,11 @@ if(TARGET nlohmann_json::nlohmann_json)
        ${PROJECT_SOURCE_DIR}/examples/paper/*/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/runs/run_[a-z_]+\\.cpp$")
   riprap_example_part(riprap_paper LIBRARIES nlohmann_json::nlohmann_json SOURCES ${sources})
+  # What makes the page of a replay.
+  riprap_example_part(riprap_replay LIBRARIES nlohmann_json::nlohmann_json
+    SOURCES replay/recorded_run.cpp replay/pack.cpp replay/page.cpp)
+  include(${PROJECT_SOURCE_DIR}/examples/replay/page_parts.cmake)
+  target_sources(riprap_replay PRIVATE ${page_parts})
 endif()
 
 if(TARGET nlohmann_json::nlohmann_json AND TARGET CLI11::CLI11)

@@ -15,6 +15,7 @@ struct Options {
   riprap::BiaxialTest test{};
   riprap::Rock rock{};
   bool paraview = false;
+  bool frames = false;
 
   // With another one the options that it sets are not to be given.
   std::string preset = "model";

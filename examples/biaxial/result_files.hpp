@@ -9,6 +9,7 @@
 #include <string>
 #include <system_error>
 
+#include <riprap/output/frames.hpp>
 #include <riprap/output/paraview.hpp>
 
 #include "checkpoints.hpp"
@@ -21,6 +22,9 @@ inline constexpr std::array result_files{
 inline std::filesystem::path paraview_folder(const std::filesystem::path& folder) {
   return folder / "paraview";
 }
+inline std::filesystem::path frames_folder(const std::filesystem::path& folder) {
+  return folder / "frames";
+}
 
 // Removes the files of an earlier run, and nothing else: what the new run does not write again
 // would be taken for its own.
@@ -31,6 +35,7 @@ inline void remove_results(const std::filesystem::path& folder) {
       if (!std::filesystem::is_directory(folder / file, ignored))
         std::filesystem::remove(folder / file, ignored);
   riprap::ParaViewSeries::remove(paraview_folder(folder));
+  riprap::FrameWriter::remove(frames_folder(folder));
   remove_checkpoints(folder);
 }
 

@@ -12,6 +12,7 @@
 #include <riprap/output/curve_files.hpp>
 #include <riprap/output/displacement_picture.hpp>
 #include <riprap/output/force_chain_picture.hpp>
+#include <riprap/output/frames.hpp>
 #include <riprap/output/paraview.hpp>
 
 #include "checkpoints.hpp"
@@ -98,6 +99,7 @@ struct Pictures {
         .save(folder / "displacement.svg");
   }
 
+  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) { visit("paths", self.paths); }
 
  private:
@@ -132,7 +134,38 @@ struct OptionalSeries {
     if (wanted) series.record(view);
   }
 
+  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) { visit("series", self.series); }
+};
+
+// An observer that writes frames where they are wanted.
+struct OptionalFrames {
+  bool wanted;
+  riprap::FrameWriter frames;
+
+  template <class Sim>
+  void begin_stage(const riprap::BiaxialView<Sim>& view) {
+    if (wanted) frames.begin_stage(view);
+  }
+  template <class Sim>
+  void progress(const riprap::BiaxialView<Sim>& view) {
+    if (wanted) frames.progress(view);
+  }
+  template <class Sim>
+  void end_stage(const riprap::BiaxialView<Sim>& view) {
+    if (wanted) frames.end_stage(view);
+  }
+  template <class Sim>
+  void before_splits(const Sim& sim) {
+    if (wanted) frames.before_splits(sim);
+  }
+  template <class Sim>
+  void record_break(const riprap::BiaxialView<Sim>& view, const riprap::BreakEvent& event) {
+    if (wanted) frames.record_break(view, event);
+  }
+
+  static constexpr bool names_all_members = false;
+  static void for_each_field(auto& self, auto&& visit) { visit("frames", self.frames); }
 };
 
 inline void save_charts(const riprap::Curve& curve, const std::filesystem::path& folder) {
@@ -174,12 +207,15 @@ Outcome run(const Options& o, ModelType model, Observers&... observers) {
   Curve curve;
   CurveFiles tables{curve, folder, resumes ? OldFile::keep : OldFile::replace};
   OptionalSeries series{o.paraview, ParaViewSeries{paraview_folder(folder)}};
+  OptionalFrames frames{o.frames, FrameWriter{frames_folder(folder)}};
   Pictures pictures{folder};
   Progress progress;
-  auto test = o.test.start(sim, curve, tables, series, pictures, progress, observers...);
-  if (resumes) resume(o, test, sim, curve, tables, series, pictures, progress, observers...);
+  auto test = o.test.start(sim, curve, tables, series, frames, pictures, progress, observers...);
+  if (resumes)
+    resume(o, test, sim, curve, tables, series, frames, pictures, progress, observers...);
   try {
-    run_with_checkpoints(o, test, sim, curve, tables, series, pictures, progress, observers...);
+    run_with_checkpoints(o, test, sim, curve, tables, series, frames, pictures, progress,
+                         observers...);
   } catch (const std::exception& error) {
     keep_failed_run(o, sim, curve, progress.warnings(), error.what());
     // Whatever the kind of error: the command was right, and the run failed.

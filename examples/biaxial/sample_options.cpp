@@ -63,7 +63,8 @@ void add_assembly(OptionTable& table, riprap::RandomAssembly& a) {
                    "of the ring when dense, over the particles' extent [-]", "--boundary");
 }
 
-void add_test(OptionTable& table, riprap::BiaxialTest& t, bool& paraview) {
+void add_test(OptionTable& table, Options& options) {
+  riprap::BiaxialTest& t = options.test;
   table.begin_group("Test");
   const auto number = [&](const std::string& option, auto& value, const std::string& member,
                           const std::string& description) {
@@ -73,7 +74,10 @@ void add_test(OptionTable& table, riprap::BiaxialTest& t, bool& paraview) {
   number("--strain", t.axial_strain, "axial_strain", "axial strain at the end [-]");
   number("--inertial-number", t.inertial_number, "inertial_number", "of shear, sets its rate [-]");
   number("--record-every", t.record_every, "record_every", "axial strain between records [-]");
-  table.add_flag("--paraview", paraview, "write a series for ParaView into the folder as well");
+  table.add_flag("--paraview", options.paraview,
+                 "write a series for ParaView into the folder as well");
+  table.add_flag("--frames", options.frames,
+                 "write frames into the folder as well, for examples/run replay");
   number("--jam-pressure", t.jam_pressure, "jam_pressure",
          "mean stress at which compaction ends [Pa]");
   number("--jam-kinetic-ratio", t.jam_kinetic_ratio, "jam_kinetic_ratio",
@@ -102,6 +106,6 @@ void add_rock(OptionTable& table, riprap::Rock& rock) {
 
 void add_sample_and_test(OptionTable& table, Options& options) {
   add_assembly(table, options.assembly);
-  add_test(table, options.test, options.paraview);
+  add_test(table, options);
   add_rock(table, options.rock);
 }

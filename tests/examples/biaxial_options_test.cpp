@@ -74,7 +74,8 @@ TEST_CASE("the file of parameters repeats the run, whatever was chosen") {
   const std::vector<Arguments> runs{
       {},
       {"--seed", "18446744073709551615", "--pressure", "0.1e7", "--strain", "0.30000000000000004",
-       "--young", "1.2345678901234567e10", "--vertices", "4", "--paraview", "--breakage", "off"},
+       "--young", "1.2345678901234567e10", "--vertices", "4", "--paraview", "--frames",
+       "--breakage", "off"},
       {"--contact", "area", "--mean-diameter", "0.003", "--friction", "0.3333333333333333"},
       {"--contact", "area", "--mean-diameter", "0.003", "--area-stiffness", "1e12",
        "--largest-chord", "0.01", "--boundary", "platens"},
@@ -97,6 +98,7 @@ TEST_CASE("the file of parameters repeats the run, whatever was chosen") {
     CHECK(again.rock.young == first.rock.young);
     CHECK(again.breakage == first.breakage);
     CHECK(again.paraview == first.paraview);
+    CHECK(again.frames == first.frames);
     CHECK(again.area.area_stiffness == first.area.area_stiffness);
     CHECK(again.dashpot.may_pull == first.dashpot.may_pull);
     CHECK(again.hoek_brown.angle == first.hoek_brown.angle);
