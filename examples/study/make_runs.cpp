@@ -13,6 +13,7 @@
 
 #include <unistd.h>
 
+#include "../command_line/program.hpp"
 #include "../run_table/work_through.hpp"
 #include "child.hpp"
 #include "run_folder.hpp"
@@ -137,7 +138,12 @@ class Maker {
     const bool told = exit.signal == SIGTERM || exit.signal == SIGINT || exit.signal == SIGUSR1;
     if (stopped_ || told || status_in(left.folder.part()) == "interrupted")
       return count(outcome_.unfinished, *left.run);
-    note_failure(left, exit.text() + "\n" + last_lines(left.folder.part() / "log.txt"), true);
+    // A command that the program refuses says nothing about the run.
+    const bool refused = exit.signal == 0 && exit.code == command_line::wrong_command;
+    const std::string log = last_lines(left.folder.part() / "log.txt");
+    note_failure(left,
+                 refused ? "the program refuses the command: " + log : exit.text() + "\n" + log,
+                 !refused);
   }
 
   void begin(const Left& left) {

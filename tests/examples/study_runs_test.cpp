@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Notes in ../starts how it was called; seed 13 fails, seed 14 goes on until it is told to stop,
-// or is resumed. It writes a checkpoint at SIGUSR1 and its summary at SIGTERM.
+// Notes in ../starts how it was called; seed 13 fails, seed 15 is refused, seed 14 goes on until it
+// is told to stop, or is resumed. It writes a checkpoint at SIGUSR1 and its summary at SIGTERM.
 constexpr auto program_text = R"(#!/usr/bin/env bash
 while (($#)); do
   case $1 in
@@ -40,6 +40,7 @@ trap 'mkdir -p "$out/checkpoints"; touch "$out/checkpoints/1"' USR1
 seed=$(sed -n 's/^seed = //p' "$out/parameters.toml")
 echo "$seed ${resumed:-new} ${every:-0}" >>"${out%/*}/starts"
 if ((seed == 13)); then echo "out of control"; exit 1; fi
+if ((seed == 15)); then echo "no such option"; exit 2; fi
 while ((seed == 14)) && [[ -z ${resumed:-} ]]; do sleep 0.02; done
 echo '{"status": "finished"}' >"$out/summary.json"
 )";
@@ -110,6 +111,14 @@ TEST_CASE("a run that fails leaves its message, and is made again on demand") {
   study.making.retry = true;
   CHECK(study.make("[1, 13]").failed == 1);
   CHECK(study.starts() == "1 new 0; 13 new 0; 13 new 0; ");
+}
+
+TEST_CASE("a command that the program refuses is no failure of the run") {
+  const FakeStudy study;
+  CHECK(study.make("[15]").failed == 1);
+  CHECK(!study.has("seed=15.failed"));
+  CHECK(study.make("[15]").failed == 1);
+  CHECK(study.starts() == "15 new 0; 15 new 0; ");
 }
 
 TEST_CASE("runs that another study makes are passed over") {
