@@ -142,8 +142,12 @@ riprap::Chart chart_of(const Plot& plot, const Study& study, const std::vector<C
                           .colour = pale_colours[colour],
                           .mark = riprap::Mark::circle,
                           .line = false};
-    riprap::Series mean{
-        .name = name, .points = {}, .colour = colours[colour], .mark = riprap::Mark::square};
+    const bool speaks_for_itself = plot.group.empty() || plot.group == "row";
+    riprap::Series mean{.name = speaks_for_itself ? name : plot.group + " " + name,
+                        .points = {},
+                        .colour = colours[colour],
+                        .mark = riprap::Mark::square,
+                        .line = !result_column(plot.x)};
     for (const auto& [x, combination] : curve) {
       for (const FinishedRun* run : combination->runs)
         points.points.emplace_back(x_of(*run, plot.x), run->results[*y]);

@@ -151,6 +151,12 @@ TEST_CASE("points of all runs, means with their intervals") {
   CHECK(chart.x_label == "pressure / 1e6");
   CHECK(chart.series[1].points[1].y() == near_relative(2.33, 1e-12));
   CHECK(chart.series[1].y_errors[1] == near_relative(2.262157 * 2.002249 / std::sqrt(10.0), 1e-6));
+  CHECK(chart.series[1].line);
+  const riprap::Chart over_result =
+      chart_of(plot_from("peak_sin_phi:peak_sin_phi:pressure", {}), sleep.study, all);
+  REQUIRE(over_result.series.size() == 4);
+  CHECK(over_result.series[2].name == "pressure 1e+06");
+  CHECK(!over_result.series[2].line);
   const Plot grouped = plot_from("peak_sin_phi:seed:pressure", {"pressure=1e6"});
   CHECK(file_name(grouped) == "peak_sin_phi_seed_pressure_pressure=1e6.svg");
 }
