@@ -37,9 +37,10 @@ Study read_study(const Options& o) {
 void list_runs(const Study& study, const Options& o) {
   for (const Run& run : runs_of_shard(study.runs, o.shard)) {
     const RunFolder folder(o.making.folder, run);
-    const bool held = RunLock(folder.finished()).is_held();
-    std::printf("%-10s %s\n", held ? "locked" : to_text(folder.state()).c_str(),
-                run.folder.c_str());
+    const RunLock lock(folder.finished());
+    const bool held = lock.is_held();
+    std::printf("%-10s %s%s\n", held ? "locked" : to_text(folder.state()).c_str(),
+                run.folder.c_str(), held ? (" by " + lock.owner_text()).c_str() : "");
   }
 }
 
