@@ -17,7 +17,7 @@ function(riprap_example_part name)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# Tables of runs.
+# Runs one after the other on several threads, and what they leave.
 file(GLOB sources RELATIVE ${PROJECT_SOURCE_DIR}/examples CONFIGURE_DEPENDS
      ${PROJECT_SOURCE_DIR}/examples/run_table/*.cpp)
 riprap_example_part(riprap_run_table LIBRARIES Threads::Threads SOURCES ${sources})
@@ -30,7 +30,7 @@ if(TARGET nlohmann_json::nlohmann_json)
   file(GLOB sources RELATIVE ${PROJECT_SOURCE_DIR}/examples CONFIGURE_DEPENDS
        ${PROJECT_SOURCE_DIR}/examples/paper/*/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/runs/run_[a-z_]+\\.cpp$")
-  riprap_example_part(riprap_paper LIBRARIES nlohmann_json::nlohmann_json SOURCES ${sources})
+  riprap_example_part(riprap_paper LIBRARIES riprap_run_table nlohmann_json::nlohmann_json SOURCES ${sources})
   # What makes the page of a replay.
   riprap_example_part(riprap_replay LIBRARIES nlohmann_json::nlohmann_json
     SOURCES replay/recorded_run.cpp replay/pack.cpp replay/page.cpp)
@@ -48,6 +48,14 @@ if(TARGET nlohmann_json::nlohmann_json AND TARGET CLI11::CLI11)
        ${PROJECT_SOURCE_DIR}/examples/biaxial/*options.cpp)
   riprap_example_part(riprap_biaxial_options
     LIBRARIES riprap_command_line SOURCES ${sources} biaxial/policies.cpp)
+  # All of the study of a table but its program.
+  file(GLOB sources RELATIVE ${PROJECT_SOURCE_DIR}/examples CONFIGURE_DEPENDS
+       ${PROJECT_SOURCE_DIR}/examples/study/*.cpp)
+  list(REMOVE_ITEM sources study/study.cpp)
+  riprap_example_part(riprap_study LIBRARIES riprap_biaxial_options riprap_run_table
+                      SOURCES ${sources})
+  target_compile_definitions(riprap_study PUBLIC
+    RIPRAP_STUDY_TABLES="${PROJECT_SOURCE_DIR}/examples/study/tables")
   riprap_example_part(riprap_single_particle
     LIBRARIES riprap_command_line SOURCES single_particle/options.cpp single_particle/analysis.cpp)
 endif()

@@ -75,5 +75,9 @@ struct Options {
 // for a command that is wrong.
 Options options_from(const std::vector<std::string>& arguments);
 
-// The same; exits on --help, --version and a command that is wrong.
+// Throws riprap::InvalidInput, in the names of the library, for a value that breaks a rule which no
+// simulation is needed to check.
+void check_values(const Options& options);
+
+// Reads the same; exits on --help, --version and a command that is wrong.
 Options read_options(int argc, char** argv);

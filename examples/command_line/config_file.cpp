@@ -3,7 +3,6 @@
 
 #include "config_file.hpp"
 
-#include <algorithm>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -11,50 +10,28 @@
 #include <sstream>
 #include <string_view>
 
+#include <riprap/core/errors.hpp>
+
+#include "toml.hpp"
+
 namespace command_line {
 
 namespace {
-
-constexpr auto blanks = " \t\r\n";
-
-std::string trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == text.npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
-}
 
 [[noreturn]] void fail(const std::string& place, const std::string& what) {
   throw CLI::ValidationError("--config", place + ": " + what);
 }
 
-// Where a string that begins with a quote ends, its closing quote included; npos if it does not.
-std::size_t end_of_string(std::string_view text) {
-  for (std::size_t i = 1; i < text.size(); ++i) {
-    if (text[i] == '\\' && text[0] == '"')
-      ++i;
-    else if (text[i] == text[0])
-      return i + 1;
+// One value; a list has no meaning.
+std::string one_value(std::string_view text, const std::string& place) {
+  TomlValue value;
+  try {
+    value = toml_value(text);
+  } catch (const riprap::InvalidInput& error) {
+    fail(place, error.what());
   }
-  return text.npos;
-}
-
-// "..." with escapes, '...' without, or a word; then nothing but a comment.
-std::string toml_value(const std::string& text, const std::string& place) {
-  const bool is_string = text.starts_with('"') || text.starts_with('\'');
-  const std::size_t end =
-      is_string ? end_of_string(text) : std::min(text.find_first_of(" \t#"), text.size());
-  if (end == text.npos) fail(place, "the string has no end");
-  const std::string rest = trimmed(std::string_view(text).substr(end));
-  const std::string value = text.substr(0, end);
-  if (!rest.empty() && rest.front() != '#') fail(place, "'" + rest + "' after the value");
-  if (value.empty()) fail(place, "a value is missing");
-  if (value.find_first_of("[{") == 0) fail(place, "arrays and tables have no meaning here");
-  if (text.starts_with('\'')) return value.substr(1, value.size() - 2);
-  if (!is_string) return value;
-  // Strings of TOML with their escapes are strings of JSON.
-  const auto string = nlohmann::json::parse(value, nullptr, false);
-  if (!string.is_string()) fail(place, value + " is not a string");
-  return string.get<std::string>();
+  if (value.is_list) fail(place, "arrays and tables have no meaning here");
+  return value.items.front();
 }
 
 }  // namespace
@@ -83,7 +60,7 @@ std::vector<CLI::ConfigItem> ConfigFile::from_toml(const std::string& text) cons
     const std::size_t equals = line.find('=');
     if (equals == line.npos) fail(place, "'" + line + "' is not NAME = VALUE");
     add(read, trimmed(std::string_view(line).substr(0, equals)),
-        toml_value(trimmed(std::string_view(line).substr(equals + 1)), place), place);
+        one_value(std::string_view(line).substr(equals + 1), place), place);
   }
   return read;
 }
@@ -113,8 +90,7 @@ std::vector<CLI::ConfigItem> ConfigFile::from_json(const std::string& text) cons
 
 std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const {
   const std::string text{std::istreambuf_iterator<char>(input), {}};
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first != text.npos && text[first] == '{' ? from_json(text) : from_toml(text);
+  return trimmed(text).starts_with('{') ? from_json(text) : from_toml(text);
 }
 
 void add_config_option(CLI::App& app) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "tasks.hpp"
 
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -9,9 +8,10 @@
 #include <mutex>
 #include <sstream>
 #include <stdexcept>
-#include <thread>
 
 #include <riprap/output/file.hpp>
+
+#include "work_through.hpp"
 
 namespace run_table {
 
@@ -37,11 +37,10 @@ class Progress {
     const std::scoped_lock lock(mutex_);
     if (error_.empty()) error_ = error;
     ++done_;
-    const std::chrono::duration<double, std::ratio<60>> minutes =
-        std::chrono::steady_clock::now() - begin_;
-    std::fprintf(stderr, "%zu of %zu runs, about %.0f min left\n", done_, tasks_,
-                 minutes.count() * static_cast<double>(tasks_ - done_) /
-                     static_cast<double>(done_));
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+    const double left = static_cast<double>(tasks_ - done_) / static_cast<double>(done_);
+    std::fprintf(stderr, "%zu of %zu runs, about %s left\n", done_, tasks_,
+                 duration_text(elapsed.count() * left).c_str());
   }
   [[nodiscard]] const std::string& error() const { return error_; }
 
@@ -59,24 +58,17 @@ void make_results(const std::vector<Task>& tasks, unsigned jobs) {
   std::vector<const Task*> missing;
   for (const Task& task : tasks)
     if (!result_of(task)) missing.push_back(&task);
-  std::atomic<std::size_t> next{0};
   Progress progress(missing.size());
-  const auto work = [&] {
-    for (std::size_t k = next++; k < missing.size(); k = next++) {
-      const Task& task = *missing[k];
-      std::string error;
-      try {
-        riprap::write_file(task.file, task.key + "\n" + task.run());
-      } catch (const std::exception& e) {
-        error = task.file.string() + ": " + e.what();
-      }
-      progress.finished(error);
+  work_through(missing.size(), jobs, [&](std::size_t k) {
+    const Task& task = *missing[k];
+    std::string error;
+    try {
+      riprap::write_file(task.file, task.key + "\n" + task.run());
+    } catch (const std::exception& e) {
+      error = task.file.string() + ": " + e.what();
     }
-  };
-  {
-    std::vector<std::jthread> threads;
-    for (unsigned j = 0; j < jobs; ++j) threads.emplace_back(work);
-  }
+    progress.finished(error);
+  });
   if (!progress.error().empty()) throw std::runtime_error(progress.error());
 }
 

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <run_table/biaxial_numbers.hpp>
 #include <run_table/tasks.hpp>
+#include <run_table/work_through.hpp>
 
 #include <doctest/doctest.h>
 
+#include <atomic>
 #include <stdexcept>
 
-#include <support/message_of.hpp>
 #include <support/temporary_file.hpp>
 
 using namespace run_table;
-using riprap::test::contains;
 using riprap::test::TemporaryFile;
 
 TEST_CASE("a result is made once for each key") {
@@ -38,20 +37,22 @@ TEST_CASE("a run that fails is named, and the others are made") {
   CHECK(result_of(tasks[1]).value() == "x\n");
 }
 
-TEST_CASE("cells and rows of a table") {
+TEST_CASE("a cell of a table") {
   CHECK(cell({2}, "%.1f", 10) == "20.0");
   CHECK(cell({1, 2, 3}, "%.1f") == "2.0 ± 1.0");
-  const TemporaryFile file;
-  const Task task{file.path(), "# a",
-                  [] { return to_lines({.peak = 0.5, .breakages = 12, .damping = 0.25}); }};
-  make_results({task}, 1);
-  const BiaxialNumbers numbers = numbers_of(task);
-  CHECK(numbers.peak == 0.5);
-  const std::string text = table({"case"}, {{"one", {numbers}}});
-  CHECK(contains(text, "| case | peak sin φ |"));
-  CHECK(contains(text, "| one | 0.500 | 0.000 | 0.0 | 0.00 | 12 |"));
-  CHECK(contains(text, "| 25.0 |"));
-  CHECK_THROWS_WITH_AS((void)numbers_of({file.path(), "# other"}),
-                       (file.path() + ": no peak_sin_phi in its place").c_str(),
-                       std::runtime_error);
+}
+
+TEST_CASE("every piece of work is done once, whatever the number of threads") {
+  for (const unsigned jobs : {1U, 3U, 40U}) {
+    std::vector<std::atomic<int>> done(20);
+    work_through(done.size(), jobs, [&](std::size_t k) { ++done[k]; });
+    for (const std::atomic<int>& d : done) CHECK(d == 1);
+  }
+  work_through(0, 2, [](std::size_t) { CHECK(false); });
+}
+
+TEST_CASE("durations in the unit that suits them") {
+  CHECK(duration_text(40) == "40 s");
+  CHECK(duration_text(720) == "12 min");
+  CHECK(duration_text(18720) == "5.2 h");
 }

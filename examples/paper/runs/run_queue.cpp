@@ -3,19 +3,16 @@
 
 #include "run_queue.hpp"
 
-#include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <cstdio>
 #include <exception>
 #include <fstream>
 #include <memory>
 #include <mutex>
-#include <thread>
 
 #include <unistd.h>
 
+#include "../../run_table/work_through.hpp"
 #include "study_run.hpp"
 
 namespace study {
@@ -70,15 +67,6 @@ void make_run(const RunPlan& plan, const fs::path& folder, WorkDone& done) {
   }
 }
 
-std::string duration_text(double seconds) {
-  char text[64];
-  if (seconds < 100)
-    std::snprintf(text, sizeof text, "%.0f s", seconds);
-  else
-    std::snprintf(text, sizeof text, "%.0f min", seconds / 60);
-  return text;
-}
-
 // The runs that are left and the threads' way through them.
 class Queue {
  public:
@@ -87,15 +75,9 @@ class Queue {
   }
 
   void run(unsigned jobs) {
-    begun_ = Clock::now();
-    std::vector<std::jthread> threads;
-    for (unsigned k = 0; k < std::min<std::size_t>(jobs, tasks_.size()); ++k)
-      threads.emplace_back([this] { work(); });
-    std::unique_lock lock(mutex_);
-    while (ended_ < tasks_.size()) {
-      changed_.wait_for(lock, std::chrono::milliseconds(in_place_ ? 500 : 20000));
-      print();
-    }
+    run_table::work_through(
+        tasks_.size(), jobs, [this](std::size_t k) { make(*tasks_[k]); }, [this] { watch(); });
+    print();
     if (in_place_) std::fputc('\n', stderr);
   }
 
@@ -104,23 +86,17 @@ class Queue {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void work() {
-    while (true) {
-      const std::size_t k = next_++;
-      if (k >= tasks_.size()) return;
-      Task& task = *tasks_[k];
-      std::string error;
-      try {
-        make_run(task.plan, task.folder, task.done);
-      } catch (const std::exception& e) {
-        error = e.what();
-      }
-      const std::scoped_lock lock(mutex_);
-      task.done = task.plan.work();
-      ++ended_;
-      if (!error.empty()) note_failure(task, error);
-      changed_.notify_one();
+  void make(Task& task) {
+    std::string error;
+    try {
+      make_run(task.plan, task.folder, task.done);
+    } catch (const std::exception& e) {
+      error = e.what();
     }
+    const std::scoped_lock lock(mutex_);
+    task.done = task.plan.work();
+    ++ended_;
+    if (!error.empty()) note_failure(task, error);
   }
 
   void note_failure(const Task& task, const std::string& error) {
@@ -130,7 +106,15 @@ class Queue {
                  error.c_str());
   }
 
-  void print() const {
+  void watch() {
+    const auto now = Clock::now();
+    if (now < next_print_) return;
+    next_print_ = now + std::chrono::milliseconds(in_place_ ? 500 : 20000);
+    print();
+  }
+
+  void print() {
+    const std::scoped_lock lock(mutex_);
     double done = 0;
     std::string running;
     for (const auto& task : tasks_) {
@@ -144,10 +128,10 @@ class Queue {
     const double elapsed = std::chrono::duration<double>(Clock::now() - begun_).count();
     std::string line = std::to_string(ended_) + " of " + std::to_string(tasks_.size()) + " runs, " +
                        std::to_string(static_cast<int>(100 * share)) + " %, " +
-                       duration_text(elapsed);
+                       run_table::duration_text(elapsed);
     // An estimate from the first per cent is worth nothing.
     if (share > 0.01 && share < 1)
-      line += ", about " + duration_text(elapsed * (1 - share) / share) + " left";
+      line += ", about " + run_table::duration_text(elapsed * (1 - share) / share) + " left";
     line += running;
     if (in_place_)
       std::fprintf(stderr, "\r%-110.110s", line.c_str());
@@ -158,13 +142,12 @@ class Queue {
 
   std::vector<std::unique_ptr<Task>> tasks_;
   double work_ = 0;
-  std::atomic<std::size_t> next_{0};
   std::mutex mutex_;
-  std::condition_variable changed_;
   std::size_t ended_ = 0;
   std::vector<std::string> failed_;
   bool in_place_ = isatty(fileno(stderr)) != 0;
-  Clock::time_point begun_;
+  const Clock::time_point begun_ = Clock::now();
+  Clock::time_point next_print_ = begun_ + std::chrono::milliseconds(500);
 };
 
 }  // namespace
