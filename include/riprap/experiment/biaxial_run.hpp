@@ -69,7 +69,8 @@ class BiaxialRun {
   [[nodiscard]] auto region() const { return sim_.boundary().region(sim_.particles()); }
   [[nodiscard]] Stress2 stress() const {
     try {
-      return average_stress(sim_.contacts(), view_.area, sim_.particles().thickness());
+      return average_stress(sim_.contacts(), view_.area, sim_.particles().thickness(),
+                            sim_.model().execution_policy);
     } catch (const InvalidInput& error) {
       throw SimulationError(error.what());
     }
