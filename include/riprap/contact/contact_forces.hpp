@@ -4,6 +4,7 @@
 /// From contact geometry and motion to contact forces on the bodies.
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -11,6 +12,7 @@
 #include <riprap/contact/pair/contact.hpp>
 #include <riprap/contact/pair/pair_index.hpp>
 #include <riprap/contact/pair/task_partition.hpp>
+#include <riprap/core/exact_sum.hpp>
 #include <riprap/particle/domain.hpp>
 #include <riprap/particle/particles.hpp>
 
@@ -77,33 +79,73 @@ ContactForce find_force(ContactType& contact, const Particles& particles, const 
   return force;
 }
 
-/// Forces of the touching pairs of a task, and their sums on its bodies. Those on its
-/// `shared_bodies` lack the pairs of other tasks: `sum_forces` follows when all tasks have ended.
+/// Energy that contacts have dissipated [J].
+struct ContactLosses {
+  ExactSum friction;
+  ExactSum viscous;
+
+  void add(const ContactForce& force) {
+    friction.add(force.friction_loss);
+    viscous.add(force.viscous_loss);
+  }
+
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("friction", self.friction);
+    visit("viscous", self.viscous);
+  }
+};
+
+/// Collects the losses that are not zero, without a branch: few contacts slide, unpredictably.
+class LossBuffer {
+ public:
+  explicit LossBuffer(ExactSum& sum) : sum_(sum) {}
+  LossBuffer(const LossBuffer&) = delete;
+  LossBuffer& operator=(const LossBuffer&) = delete;
+  ~LossBuffer() { flush(); }
+
+  void add(double loss) {
+    losses_[count_] = loss;
+    count_ += static_cast<std::size_t>(loss != 0);
+    if (count_ == losses_.size()) flush();
+  }
+
+ private:
+  void flush() {
+    for (std::size_t k = 0; k < count_; ++k) sum_.add(losses_[k]);
+    count_ = 0;
+  }
+
+  ExactSum& sum_;
+  std::array<double, 64> losses_;
+  std::size_t count_ = 0;
+};
+
+/// Forces of the touching pairs of a task, added to the wrenches of bodies a, and of bodies b below
+/// `end_body`: all of them, if tasks run in order; else its own, and `sum_forces` follows for its
+/// `shared_bodies` when all tasks have ended. Both are sums in the order of the pairs.
 /// @param touching indices of its touching pairs, in order
 /// @param time_step [s] of the motion that led here
+/// @param losses what the pairs lose is added
 template <class ContactType, class Law, class Domain>
 void find_forces(ContactTask& task, std::span<ContactType> pairs,
                  std::span<const std::uint32_t> touching, Particles& particles, const Law& law,
-                 const Domain& domain, double time_step) {
-  for (std::size_t i = task.first_body; i < task.last_body; ++i)
-    particles.body(static_cast<BodyIndex>(i)).contact = Wrench{};
+                 const Domain& domain, double time_step, std::size_t end_body,
+                 ContactLosses& losses) {
   double largest_overlap = 0;
-  double friction_loss = 0;
-  double viscous_loss = 0;
+  LossBuffer friction(losses.friction);
+  LossBuffer viscous(losses.viscous);
   for (const std::uint32_t k : touching) {
     ContactType& contact = pairs[k];
     const ContactForce force = find_force(contact, particles, law, domain, time_step);
+    friction.add(force.friction_loss);
+    viscous.add(force.viscous_loss);
     largest_overlap = std::max(largest_overlap, contact.geometry.area);
-    friction_loss += force.friction_loss;
-    viscous_loss += force.viscous_loss;
     const Vec2 on_b = contact.force_on_b();
     particles.body(contact.a).contact.subtract(on_b, cross(contact.arm_a, on_b));
-    if (contact.b < task.last_body)
+    if (contact.b < end_body)
       particles.body(contact.b).contact.add(on_b, cross(contact.arm_b, on_b));
   }
   task.largest_overlap = largest_overlap;
-  task.friction_loss = friction_loss;
-  task.viscous_loss = viscous_loss;
 }
 
 /// The wrench on a body: the sum over its touching pairs, in their order.

@@ -25,6 +25,7 @@
 #include <riprap/contact/pair/pair_list.hpp>
 #include <riprap/contact/pair/task_partition.hpp>
 #include <riprap/core/errors.hpp>
+#include <riprap/core/exact_sum.hpp>
 #include <riprap/core/step_phase.hpp>
 #include <riprap/particle/domain.hpp>
 
@@ -63,8 +64,13 @@ class ContactList {
   /// Calls `visit(contact)` for every pair that touches, in order.
   template <class Visit>
   void for_each_touching(Visit&& visit) const {
-    for (const ContactTask& task : tasks_)
-      for (const std::uint32_t k : touching(task)) visit(pairs()[k]);
+    for (std::size_t task = 0; task < tasks_.size(); ++task) for_each_touching_in(task, visit);
+  }
+  /// Number of tasks, and the touching pairs whose first body is of one of them, in order.
+  [[nodiscard]] std::size_t tasks() const { return tasks_.size(); }
+  template <class Visit>
+  void for_each_touching_in(std::size_t task, Visit&& visit) const {
+    for (const std::uint32_t k : touching(tasks_[task])) visit(pairs()[k]);
   }
 
   /// Calls `visit(contact, index)` once for every touching pair with a body of a task of
@@ -85,17 +91,22 @@ class ContactList {
 
   /// Power that the deformation of a periodic cell puts into the bodies through their images [W].
   [[nodiscard]] double image_power() const {
-    double sum = 0;
-    if constexpr (Domain::periodic)
-      for (const ContactTask& task : tasks_)
-        for (const std::uint32_t k : task.crossing)
-          sum -= pairs()[k].force_on_b().dot(domain_.velocity(pairs()[k].image));
-    return sum;
+    ExactSum power;
+    for (std::size_t task = 0; task < tasks_.size(); ++task) add_image_work(task, 1, power);
+    return power.value();
+  }
+  /// Adds the work that it does in a time [s], through the contacts of a task of `for_each_task`.
+  void add_image_work(std::size_t task, double time, ExactSum& work) const {
+    if constexpr (Domain::periodic) {
+      if (task >= tasks_.size()) return;
+      for (const std::uint32_t k : tasks_[task].crossing)
+        work.add(-time * pairs()[k].force_on_b().dot(domain_.velocity(pairs()[k].image)));
+    }
   }
 
   /// Energy dissipated by friction and by dashpots since the start [J].
-  [[nodiscard]] double friction_loss() const { return friction_loss_; }
-  [[nodiscard]] double viscous_loss() const { return viscous_loss_; }
+  [[nodiscard]] double friction_loss() const { return loss(&ContactLosses::friction); }
+  [[nodiscard]] double viscous_loss() const { return loss(&ContactLosses::viscous); }
 
   /// Optional: records the motion of the bodies of a task of `for_each_task` right after it. Tasks
   /// may run in parallel; the next `update` records the tasks that were left out.
@@ -115,9 +126,13 @@ class ContactList {
     const DetectionInput<ContactType, Narrow, Domain, ListState> input{
         list_.pairs(), touching_, particles, narrow_, domain_, list_state_};
     const auto contacts = [&](std::size_t t) { detection_.find(input, tasks_[t]); };
+    constexpr bool in_order = std::is_same_v<E, Serial>;
+    if constexpr (in_order) clear_wrenches(particles, 0, particles.size());
     const auto forces = [&](std::size_t t) {
-      find_forces(tasks_[t], list_.pairs(), touching(tasks_[t]), particles, law_, domain_,
-                  time_step);
+      const ContactTask& task = tasks_[t];
+      if constexpr (!in_order) clear_wrenches(particles, task.first_body, task.last_body);
+      find_forces(tasks_[t], list_.pairs(), touching(task), particles, law_, domain_, time_step,
+                  in_order ? particles.size() : task.last_body, losses_[t]);
     };
     constexpr bool timed = !std::is_same_v<std::remove_cvref_t<OnPhaseEnd>, NoPhaseTimer>;
     if (!timed && divided_.empty()) {
@@ -132,7 +147,7 @@ class ContactList {
       on_phase_end(StepPhase::narrow_phase);
       execution.run(tasks_.size(), forces);
     }
-    sum_shared(particles, execution);
+    if constexpr (!in_order) sum_shared(particles, execution);
     on_phase_end(StepPhase::contact_law);
   }
 
@@ -179,8 +194,7 @@ class ContactList {
   static void for_each_field(Self& self, auto&& visit) {
     visit("law", self.law_);
     visit("domain", self.domain_);
-    visit("friction_loss", self.friction_loss_);
-    visit("viscous_loss", self.viscous_loss_);
+    visit("losses", self.losses_);
     if constexpr (std::is_const_v<Self>) {
       std::vector<ContactType> touching;
       self.for_each_touching([&](const ContactType& c) { touching.push_back(c); });
@@ -249,6 +263,7 @@ class ContactList {
     partition_pairs(pairs(), particles.size(), tasks_);
     index_.build(pairs(), particles.size());
     touching_.resize(list_.size());
+    losses_.resize(tasks_.size());
     smallest_area_ = std::numeric_limits<double>::infinity();
     for (BodyIndex i = 0; i < particles.size(); ++i)
       smallest_area_ = std::min(smallest_area_, particles.shape(i).area);
@@ -259,6 +274,11 @@ class ContactList {
     return {touching_.data() + task.first_pair, task.touching};
   }
 
+  static void clear_wrenches(Particles& particles, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      particles.body(static_cast<BodyIndex>(i)).contact = Wrench{};
+  }
+
   // Bodies with pairs in several tasks: the division into tasks does not enter the sum.
   template <Execution E>
   void sum_shared(Particles& particles, const E& execution) {
@@ -266,10 +286,12 @@ class ContactList {
       for (const BodyIndex i : tasks_[t].shared_bodies)
         particles.body(i).contact = sum_forces(index_.of(i), pairs());
     });
-    for (const ContactTask& task : tasks_) {
-      friction_loss_ += task.friction_loss;
-      viscous_loss_ += task.viscous_loss;
-    }
+  }
+
+  [[nodiscard]] double loss(ExactSum ContactLosses::*part) const {
+    ExactSum sum;
+    for (const ContactLosses& losses : losses_) sum += losses.*part;
+    return sum.value();
   }
 
   PairSearch<Broad, Domain> search_;
@@ -285,8 +307,7 @@ class ContactList {
   std::vector<ContactType> restored_;    // touching pairs, from `for_each_field` to `restore`
   std::vector<std::uint32_t> touching_;  // of each task, from the index of its first pair on
   double smallest_area_ = 0;             // of a particle [m^2]
-  double friction_loss_ = 0;
-  double viscous_loss_ = 0;
+  std::vector<ContactLosses> losses_;    // of the tasks, since the start
 };
 
 }  // namespace riprap

@@ -75,8 +75,7 @@ class ExactSum {
   /// The same sum in the same fields, whatever terms it comes from: for digests.
   void normalise() { carry(); }
 
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
+  static void for_each_field(auto& self, auto&& visit) {
     visit("chunks", self.chunks_);
     visit("not_finite", self.not_finite_);
     visit("terms", self.terms_);

@@ -4,6 +4,7 @@
 /// Average stress of an assembly from its contact forces, and what follows from it.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -11,12 +12,26 @@
 #include <riprap/core/linkage.hpp>
 #include <riprap/core/stress2.hpp>
 #include <riprap/core/vec2.hpp>
+#include <riprap/measurement/contact_sum.hpp>
 
 namespace riprap {
 
 namespace internal {
 
 void require_finite_sum(const Stress2& sum);
+
+template <class Contacts, class Term, Execution E = Serial>
+[[nodiscard]] Stress2 sum_of_stresses(const Contacts& contacts, Term&& term,
+                                      const E& execution = {}) {
+  const auto [s11, s22, s12] = sum_over_contacts<3>(
+      contacts,
+      [&](const auto& c) {
+        const Stress2 s = term(c);
+        return std::array{s.s11, s.s22, s.s12};
+      },
+      execution);
+  return {s11, s22, s12};
+}
 
 }  // namespace internal
 
@@ -25,13 +40,14 @@ void require_finite_sum(const Stress2& sum);
 /// branch from a to b, which begins or ends at the contact point where one of them is a wall.
 /// @param area of the assembly [m^2]; @param thickness [m]
 /// Throws InvalidInput unless both are above 0 and the sum is finite.
-template <class Contacts>
-[[nodiscard]] Stress2 average_stress(const Contacts& contacts, double area, double thickness) {
+template <class Contacts, Execution E = Serial>
+[[nodiscard]] Stress2 average_stress(const Contacts& contacts, double area, double thickness,
+                                     const E& execution = {}) {
   require_positive("average_stress: area", area);
   require_positive("average_stress: thickness", thickness);
-  Stress2 sum;
-  contacts.for_each_touching(
-      [&sum](const auto& c) { sum += symmetric_product(c.force_on_b(), c.branch()); });
+  const Stress2 sum = internal::sum_of_stresses(
+      contacts, [](const auto& c) { return symmetric_product(c.force_on_b(), c.branch()); },
+      execution);
   internal::require_finite_sum(sum);
   return (1 / (area * thickness)) * sum;
 }
@@ -54,11 +70,10 @@ template <class Contacts>
                                             double thickness) {
   require_positive("average_stress_within: area", region.area());
   require_positive("average_stress_within: thickness", thickness);
-  Stress2 sum;
-  contacts.for_each_touching([&](const auto& c) {
+  const Stress2 sum = internal::sum_of_stresses(contacts, [&](const auto& c) {
     const double share = region.share_inside(c.geometry.point - c.branch_arm_a(),
                                              c.geometry.point - c.branch_arm_b());
-    sum += symmetric_product(c.force_on_b(), share * c.branch());
+    return symmetric_product(c.force_on_b(), share * c.branch());
   });
   internal::require_finite_sum(sum);
   return (1 / (region.area() * thickness)) * sum;

@@ -8,8 +8,10 @@
 #include <cstddef>
 #include <limits>
 
+#include <riprap/core/exact_sum.hpp>
 #include <riprap/core/linkage.hpp>
 #include <riprap/dynamics/body_force/no_body_force.hpp>
+#include <riprap/measurement/contact_sum.hpp>
 #include <riprap/measurement/energy.hpp>
 #include <riprap/particle/particles.hpp>
 
@@ -59,28 +61,30 @@ template <class Contacts, BodyForce F = NoBodyForce>
 [[nodiscard]] StateAverages state_averages(const Contacts& contacts, const Particles& particles,
                                            const F& body_force = {}) {
   StateAverages n;
-  double force = 0;
+  ContactSum<3> sums;
   contacts.for_each_touching([&](const auto& c) {
     ++n.contacts;
-    n.mean_normal_force += c.force.normal;
-    force += c.force_on_b().norm();
-    n.mean_overlap += c.geometry.depth;
+    sums.add(c.a, {c.force.normal, c.force_on_b().norm(), c.geometry.depth});
     n.largest_overlap = std::max(n.largest_overlap, c.geometry.depth);
   });
+  const auto [normal, force, depth] = sums.values();
   std::size_t free = 0;
-  double resultant = 0;
+  ExactSum resultant;
   for (const Body& body : particles.bodies()) {
     if (!body.is_free()) continue;
     ++free;
-    resultant += (body.contact.force + body.mass * body_force(body)).norm();
+    resultant.add((body.contact.force + body.mass * body_force(body)).norm());
   }
+  n.mean_normal_force = normal;
+  n.mean_overlap = depth;
   n.kinetic_energy = kinetic_energy(particles);
   n.stored_energy = stored_energy(contacts);
   if (n.contacts == 0 || free == 0) return n;
   const auto count = static_cast<double>(n.contacts);
   n.mean_normal_force /= count;
   n.mean_overlap /= count;
-  n.unbalanced_force = force > 0 ? resultant / static_cast<double>(free) / (force / count) : 0;
+  n.unbalanced_force =
+      force > 0 ? resultant.value() / static_cast<double>(free) / (force / count) : 0;
   return n;
 }
 

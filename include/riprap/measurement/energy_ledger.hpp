@@ -4,8 +4,10 @@
 /// Where the work of the boundary goes, term by term.
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
+#include <riprap/measurement/contact_sum.hpp>
 #include <riprap/measurement/energy.hpp>
 #include <riprap/particle/particles.hpp>
 
@@ -186,11 +188,9 @@ class EnergyLedger {
   // Power of all contact forces on both bodies of each contact [W].
   template <class Sim>
   [[nodiscard]] static double contact_power(const Sim& sim) {
-    double sum = 0;
-    sim.contacts().for_each_touching([&](const auto& c) {
-      sum += c.force_on_b().dot(sim.contacts().relative_velocity(c, sim.particles()));
-    });
-    return sum;
+    return sum_over_contacts<1>(sim.contacts(), [&](const auto& c) {
+      return std::array{c.force_on_b().dot(sim.contacts().relative_velocity(c, sim.particles()))};
+    })[0];
   }
 
   EnergyTerms terms_;

@@ -65,8 +65,7 @@ class FrictionForPorosity {
     friction_ = low_.friction + share * (high_.friction - low_.friction);
   }
 
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
+  static void for_each_field(auto& self, auto&& visit) {
     visit("target", self.target_);
     visit("tolerance", self.tolerance_);
     visit("low_friction", self.low_.friction);

@@ -3,7 +3,9 @@
 /// @file
 /// How much of a sample is empty.
 
-#include <riprap/core/compiler.hpp>
+#include <array>
+
+#include <riprap/measurement/contact_sum.hpp>
 
 namespace riprap {
 
@@ -11,9 +13,9 @@ namespace riprap {
 /// @param region of the sample: what `region(particles)` of a SampleBoundary returns
 template <class Region, class Contacts>
 [[nodiscard]] double porosity(const Region& region, const Contacts& contacts) {
-  double rock = region.solid_area();
-  contacts.for_each_touching([&rock](const auto& c) { rock -= c.geometry.area; });
-  return 1 - rock / region.area();
+  const double twice =
+      sum_over_contacts<1>(contacts, [](const auto& c) { return std::array{c.geometry.area}; })[0];
+  return 1 - (region.solid_area() - twice) / region.area();
 }
 
 }  // namespace riprap

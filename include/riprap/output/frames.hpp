@@ -96,8 +96,7 @@ class FrameWriter {
   }
 
   /// What a checkpoint keeps.
-  template <class Self, class Visit>
-  static void for_each_field(Self& self, Visit&& visit) {
+  static void for_each_field(auto& self, auto&& visit) {
     visit("bytes", self.bytes_);
     visit("frames", self.frames_);
     visit("next_particle", self.next_particle_);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include <riprap/core/errors.hpp>
 #include <riprap/geometry/convex_polygon.hpp>
@@ -116,7 +117,7 @@ class BodyChanges {
   }
   void book(const Energy& before) {
     const Energy now = energy();
-    sim().work_.added += now.held + now.lost - before.held - before.lost;
+    sim().other_work_.added += now.held + now.lost - before.held - before.lost;
   }
 
   void take_away(BodyIndex i) {
@@ -125,6 +126,10 @@ class BodyChanges {
     sim().contacts_.remove(i);
     sim().breakage_.remove(i, count);
     sim().loads_.remove(i);
+    if (auto& work = sim().work_; i < work.size()) {
+      sim().other_work_ += work[i];
+      work.erase(work.begin() + static_cast<std::ptrdiff_t>(i));
+    }
     update_contacts();
   }
   void update_contacts() {

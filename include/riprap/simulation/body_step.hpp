@@ -7,13 +7,15 @@
 #include <span>
 
 #include <riprap/core/errors.hpp>
+#include <riprap/core/exact_sum.hpp>
 #include <riprap/dynamics/integrator/concepts.hpp>
 #include <riprap/particle/domain.hpp>
 #include <riprap/particle/particles.hpp>
 
 namespace riprap {
 
-/// Energy that has passed through the bodies since the start [J]; contacts book their own.
+/// Energy that has passed through a body, or through all of them, since the start [J]; contacts
+/// book their own.
 struct BodyWork {
   double boundary = 0;    ///< done by driven bodies, or by a shrinking cell, on the rest
   double body_force = 0;  ///< done by the body force
@@ -39,6 +41,21 @@ struct BodyWork {
   }
 };
 
+/// The work of all bodies: exactly summed, so that their order and tasks do not enter.
+[[nodiscard]] inline BodyWork total_work(std::span<const BodyWork> bodies) {
+  ExactSum boundary;
+  ExactSum body_force;
+  ExactSum damping;
+  ExactSum load;
+  for (const BodyWork& work : bodies) {
+    boundary.add(work.boundary);
+    body_force.add(work.body_force);
+    damping.add(work.damping);
+    load.add(work.load);
+  }
+  return {boundary.value(), body_force.value(), damping.value(), load.value()};
+}
+
 /// Moves free bodies by the integrator and driven ones at their velocity. Each kick's work is
 /// booked with the velocities before and after it.
 /// @tparam MotionPart offers `integrator`, `damping` and `body_force`
@@ -61,21 +78,21 @@ class BodyStep {
     return (1 - first_kick_fraction(motion_.integrator)) * time_step_;
   }
 
-  /// Forces of the present poses move bodies `first` to `last` to the next ones. Returns the work
-  /// done on them; throws SimulationError, naming the particle, if its state is no longer finite,
-  /// or if a step takes it so far that contacts could be missed.
-  [[nodiscard]] BodyWork advance(Particles& particles, BodyIndex first, BodyIndex last) const {
+  /// Forces of the present poses move bodies `first` to `last` to the next ones. Adds the
+  /// work done on body i to `work[i]`; throws SimulationError, naming the particle, if its state is
+  /// no longer finite, or if a step takes it so far that contacts could be missed.
+  void advance(Particles& particles, BodyIndex first, BodyIndex last,
+               std::span<BodyWork> work) const {
     const double kick_time = first_kick_time();
-    BodyWork work;
     for (BodyIndex i = first; i < last; ++i) {
       Body& body = particles.body(i);
       if (body.is_free()) {
-        kick_free(body, load_on(i), kick_time, work, [this](Body& b, const Wrench& w) {
+        kick_free(body, load_on(i), kick_time, work[i], [this](Body& b, const Wrench& w) {
           motion_.integrator.advance(b, w, time_step_);
         });
       } else {
         drift(body, time_step_);
-        book_driven(body, kick_time, work);
+        book_driven(body, kick_time, work[i]);
       }
       if (!is_finite(body)) throw_not_finite(particles, i);
     }
@@ -87,23 +104,21 @@ class BodyStep {
       particles.update_ring(i);
     }
     if (leaps) throw_leap(particles, first, last);
-    return work;
   }
 
   /// The second kick of bodies `first` to `last`, for integrators that have one.
-  [[nodiscard]] BodyWork second_kick(Particles& particles, BodyIndex first, BodyIndex last) const {
+  void second_kick(Particles& particles, BodyIndex first, BodyIndex last,
+                   std::span<BodyWork> work) const {
     const double kick_time = second_kick_time();
-    BodyWork work;
     for (BodyIndex i = first; i < last; ++i) {
       Body& body = particles.body(i);
       if (body.is_free())
-        kick_free(body, load_on(i), kick_time, work, [this](Body& b, const Wrench& w) {
+        kick_free(body, load_on(i), kick_time, work[i], [this](Body& b, const Wrench& w) {
           motion_.integrator.second_kick(b, w, time_step_);
         });
       else
-        book_driven(body, kick_time, work);
+        book_driven(body, kick_time, work[i]);
     }
-    return work;
   }
 
  private:

@@ -111,7 +111,16 @@ class Simulation : public BodyChanges<Simulation<ModelType>> {
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
   [[nodiscard]] double time_step() const { return time_step_; }  ///< [s]
   [[nodiscard]] double time() const { return time_; }            ///< [s]
-  [[nodiscard]] const BodyWork& work() const { return work_; }
+  [[nodiscard]] BodyWork work() const {
+    BodyWork sum = total_work(work_);
+    sum += other_work_;
+    if constexpr (Domain::periodic) {
+      ExactSum by_cell;
+      for (const ExactSum& work : image_work_) by_cell += work;
+      sum.boundary += by_cell.value();
+    }
+    return sum;
+  }
   /// Force [N] of all contacts on body i, a wall or any other, and their moment about its centroid
   /// c [N m]; about a point p: moment + cross(c - p, force). Zero moment for a platen.
   [[nodiscard]] const Wrench& force_on(BodyIndex i) const {
@@ -188,6 +197,8 @@ class Simulation : public BodyChanges<Simulation<ModelType>> {
     visit("mean_area", self.mean_area_);
     visit("breakage_active", self.breakage_active_);
     visit("work", self.work_);
+    visit("image_work", self.image_work_);
+    visit("other_work", self.other_work_);
     visit("motion", self.motion_);
     visit("particles", self.particles_);
     visit("contacts", self.contacts_);
@@ -218,11 +229,10 @@ class Simulation : public BodyChanges<Simulation<ModelType>> {
   // Forces of the present poses move the bodies to the next ones.
   void advance_bodies() {
     const auto step = body_step();
-    work_.boundary += step.first_kick_time() * contacts_.image_power();
     step_bodies([&](std::size_t task, BodyIndex first, BodyIndex last) {
-      const BodyWork work = step.advance(particles_, first, last);
+      contacts_.add_image_work(task, step.first_kick_time(), image_work_[task]);
+      step.advance(particles_, first, last, work_);
       contacts_.record_motion(particles_, task, first, last);
-      return work;
     });
     time_ += time_step_;
   }
@@ -231,23 +241,22 @@ class Simulation : public BodyChanges<Simulation<ModelType>> {
   void kick_bodies_again() {
     if constexpr (decltype(body_step())::has_second_kick) {
       const auto step = body_step();
-      work_.boundary += step.second_kick_time() * contacts_.image_power();
-      step_bodies([&](std::size_t, BodyIndex first, BodyIndex last) {
-        return step.second_kick(particles_, first, last);
+      step_bodies([&](std::size_t task, BodyIndex first, BodyIndex last) {
+        contacts_.add_image_work(task, step.second_kick_time(), image_work_[task]);
+        step.second_kick(particles_, first, last, work_);
       });
     }
   }
 
-  // Books the work that `step(task, first, last)` returns, task by task.
+  // Calls `step(task, first, last)` for every task.
   template <class Step>
   void step_bodies(Step&& step) {
-    task_work_.resize(task_count(particles_.size()));
+    work_.resize(particles_.size());
+    image_work_.resize(task_count(particles_.size()));
     for_each_task(model_.execution_policy, particles_.size(),
                   [&](std::size_t task, std::size_t first, std::size_t last) {
-                    task_work_[task] =
-                        step(task, static_cast<BodyIndex>(first), static_cast<BodyIndex>(last));
+                    step(task, static_cast<BodyIndex>(first), static_cast<BodyIndex>(last));
                   });
-    for (const BodyWork& work : task_work_) work_ += work;
   }
 
   // All cracks are found before the first split, which changes the contacts that load the others.
@@ -307,8 +316,9 @@ class Simulation : public BodyChanges<Simulation<ModelType>> {
   double time_ = 0;
   std::uint64_t steps_ = 0;
   bool breakage_active_ = true;
-  BodyWork work_;
-  std::vector<BodyWork> task_work_;
+  std::vector<BodyWork> work_;        // on each body; the left piece goes on with its parent's
+  std::vector<ExactSum> image_work_;  // of the tasks
+  BodyWork other_work_;               // of bodies added and removed, and on those removed
   std::vector<BreakEvent> breaks_;
 };
 

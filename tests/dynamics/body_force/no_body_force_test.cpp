@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <vector>
+
 #include <riprap/simulation/body_step.hpp>
 #include <riprap/simulation/model_parts.hpp>
 
@@ -15,7 +17,8 @@ TEST_CASE("without a body force a body at rest stays at rest") {
   const auto start = particles.body(0).position;
   const MotionModel motion{SymplecticEuler{}, LocalDamping{}, MassFloor{}, StrainField{},
                            NoBodyForce{}};
-  const BodyWork work = BodyStep(motion, UnboundedDomain{}, 0.1).advance(particles, 0, 1);
+  std::vector<BodyWork> work(1);
+  BodyStep(motion, UnboundedDomain{}, 0.1).advance(particles, 0, 1, work);
   CHECK(particles.body(0).position == start);
-  CHECK(work.body_force == 0);
+  CHECK(work[0].body_force == 0);
 }

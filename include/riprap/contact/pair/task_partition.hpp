@@ -26,10 +26,8 @@ struct ContactTask {
   // Found by the detection.
   std::size_t touching = 0;               ///< number of touching pairs
   std::vector<std::uint32_t> crossing{};  ///< those across the boundary of a periodic cell
-  // Results of the forces.
+  // Found with the forces.
   double largest_overlap = 0;  ///< [m^2]
-  double friction_loss = 0;    ///< [J]
-  double viscous_loss = 0;     ///< [J]
 };
 
 /// Distributes pairs that are sorted by their bodies `a` < `b` over tasks of `task_size` bodies.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <riprap/core/errors.hpp>
+#include <riprap/core/exact_sum.hpp>
 #include <riprap/core/policy.hpp>
 #include <riprap/core/vec2.hpp>
 #include <riprap/particle/assembly.hpp>
@@ -131,10 +132,11 @@ inline void refuse_motion(const Particles& particles, Motion motion, std::string
 
 /// Area of the free particles and of dust, which stays in the pores [m^2].
 [[nodiscard]] inline double rock_area(const Particles& particles) {
-  double sum = particles.dust_area();
+  ExactSum sum;
+  sum.add(particles.dust_area());
   for (BodyIndex i = 0; i < particles.size(); ++i)
-    if (particles.body(i).is_free()) sum += particles.shape(i).area;
-  return sum;
+    if (particles.body(i).is_free()) sum.add(particles.shape(i).area);
+  return sum.value();
 }
 
 }  // namespace riprap
