@@ -109,8 +109,7 @@ class Simulation {
   [[nodiscard]] double time() const { return time_; }            ///< [s]
   [[nodiscard]] const BodyWork& work() const { return work_; }
   [[nodiscard]] const std::vector<BreakEvent>& breaks() const { return breaks_; }
-  /// For the hook before_splits: the particles that are about to break, still whole and in the
-  /// order of their ids, and how. Elsewhere what the last stress check found.
+  /// In the hook before_splits: which particles break, still whole, and how; in order of ids.
   [[nodiscard]] const BreakagePass::Cracks& cracks() const
     requires breakable
   {
