@@ -126,16 +126,27 @@ function drawMarker(ctx, chart, scales, f) {
   ctx.fillText(chart.format(v), chart.canvas.clientWidth - margin.right, 3);
 }
 
+// All but the marker stays the same from frame to frame: it is drawn once for a size and a theme.
 function drawChart(chart, f) {
   const box = sizeCanvas(chart.canvas);
   if (!box) return;
   const ctx = chart.canvas.getContext("2d");
+  const key = [chart.canvas.width, chart.canvas.height, allStages, isDark()].join();
+  if (chart.key !== key) {
+    chart.key = key;
+    chart.scales = scalesOf(chart, box);
+    chart.still = document.createElement("canvas");
+    chart.still.width = chart.canvas.width;
+    chart.still.height = chart.canvas.height;
+    const still = chart.still.getContext("2d");
+    still.setTransform(ctx.getTransform());
+    drawAxes(still, chart, chart.scales, box);
+    drawStages(still, chart.scales);
+    drawCurve(still, chart, chart.scales);
+  }
   ctx.clearRect(0, 0, box.width, box.height);
-  const scales = scalesOf(chart, box);
-  drawAxes(ctx, chart, scales, box);
-  drawStages(ctx, scales);
-  drawCurve(ctx, chart, scales);
-  drawMarker(ctx, chart, scales, f);
+  ctx.drawImage(chart.still, 0, 0, box.width, box.height);
+  drawMarker(ctx, chart, chart.scales, f);
 }
 
 // The frame that is nearest to a horizontal place on a chart.

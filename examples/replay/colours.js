@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a particle's colour means. A mode puts each particle into a bin; a bin has a colour, so that all
-// particles of one colour are filled as one path.
+// What a particle's colour means. A mode puts each particle into a bin, and each bin has a colour.
 
 const isDark = () => document.documentElement.dataset.theme === "dark";
 const themeColour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// riprap: a type that is saved must name its state: template <class Self, class Visit> static void for_each_field(Self&, Visit&&) (docs/checkpoints.md)
+// riprap: a type that is saved must name its state: template <class Self, class Visit> static void
+// for_each_field(Self&, Visit&&) (docs/checkpoints.md)
 #include <riprap/checkpoint/fields_of.hpp>
 #include <riprap/simulation/model.hpp>
 using namespace riprap;

@@ -19,6 +19,7 @@
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
+#include <support/near.hpp>
 #include <support/still_sample.hpp>
 #include <support/temporary_file.hpp>
 
@@ -79,7 +80,7 @@ Stress2 mean_stress_of(const ReadRecord& broken) {
     sum += share * Stress2{broken["s11"][e], broken["s22"][e], broken["s12"][e]};
     area += share;
   }
-  CHECK(area == doctest::Approx(broken["areas"][0] + broken["areas"][1]).epsilon(1e-5));
+  CHECK(area == test::near_relative(broken["areas"][0] + broken["areas"][1], 1e-5));
   return (1 / area * sum).rotated(Rotation::from_angle(broken["pose"][2]));
 }
 
@@ -194,19 +195,19 @@ TEST_CASE("the last frame is the state at the end") {
   for (BodyIndex i = 0; i < particles.size(); ++i) {
     const Body& body = particles.body(i);
     CHECK(frame["id"][i] == particles.ancestry(i).id);
-    // Single precision.
-    CHECK(frame["x"][i] == doctest::Approx(body.position.x()).epsilon(1e-7));
-    CHECK(frame["y"][i] == doctest::Approx(body.position.y()).epsilon(1e-7));
-    CHECK(frame["angle"][i] == doctest::Approx(body.rotation.angle()).epsilon(1e-7));
-    CHECK(frame["spin"][i] == doctest::Approx(body.angular_velocity).epsilon(1e-7));
-    CHECK(frame["rat"][i] == doctest::Approx(ratios[i]).epsilon(1e-7));
+    // Single precision: 6e-8 of the number.
+    CHECK(frame["x"][i] == test::near_relative(body.position.x(), 1e-7));
+    CHECK(frame["y"][i] == test::near_relative(body.position.y(), 1e-7));
+    CHECK(frame["angle"][i] == test::near_relative(body.rotation.angle(), 1e-7));
+    CHECK(frame["spin"][i] == test::near_relative(body.angular_velocity, 1e-7));
+    CHECK(frame["rat"][i] == test::near_relative(ratios[i], 1e-7));
   }
   std::size_t k = 0;
   sim.contacts().for_each_touching([&](const auto& c) {
     CHECK(frame["a"][k] == particles.ancestry(c.a).id);
     CHECK(frame["b"][k] == particles.ancestry(c.b).id);
-    CHECK(frame["normal"][k] == doctest::Approx(c.force.normal).epsilon(1e-7));
-    CHECK(frame["tangential"][k] == doctest::Approx(c.force.tangential).epsilon(1e-7));
+    CHECK(frame["normal"][k] == test::near_relative(c.force.normal, 1e-7));
+    CHECK(frame["tangential"][k] == test::near_relative(c.force.tangential, 1e-7));
     ++k;
   });
   CHECK(frame["a"].size() == k);

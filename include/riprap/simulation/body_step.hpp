@@ -42,18 +42,24 @@ struct BodyWork {
 };
 
 /// The work of all bodies: exactly summed, so that their order and tasks do not enter.
-[[nodiscard]] inline BodyWork total_work(std::span<const BodyWork> bodies) {
+/// @param by_cell work of a periodic cell, in parts; @param other on bodies no longer there
+[[nodiscard]] inline BodyWork total_work(std::span<const BodyWork> bodies,
+                                         std::span<const ExactSum> by_cell = {},
+                                         const BodyWork& other = {}) {
   ExactSum boundary;
   ExactSum body_force;
   ExactSum damping;
   ExactSum load;
-  for (const BodyWork& work : bodies) {
+  const auto add = [&](const BodyWork& work) {
     boundary.add(work.boundary);
     body_force.add(work.body_force);
     damping.add(work.damping);
     load.add(work.load);
-  }
-  return {boundary.value(), body_force.value(), damping.value(), load.value()};
+  };
+  for (const BodyWork& work : bodies) add(work);
+  add(other);
+  for (const ExactSum& work : by_cell) boundary += work;
+  return {boundary.value(), body_force.value(), damping.value(), load.value(), other.added};
 }
 
 /// Moves free bodies by the integrator and driven ones at their velocity. Each kick's work is

@@ -38,7 +38,8 @@ namespace riprap {
 ///
 /// Moved, not copied: operators are large.
 template <class ModelType>
-class Simulation : public BodyChanges<Simulation<ModelType>> {
+class Simulation : public BodyChanges<Simulation<ModelType>>,
+                   public StressQueries<Simulation<ModelType>> {
  public:
   using Domain = DomainOf<decltype(ModelType::motion_model.boundary)>;
   using Contacts = ContactList<decltype(ModelType::contact_model.broad_phase),
@@ -111,16 +112,7 @@ class Simulation : public BodyChanges<Simulation<ModelType>> {
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
   [[nodiscard]] double time_step() const { return time_step_; }  ///< [s]
   [[nodiscard]] double time() const { return time_; }            ///< [s]
-  [[nodiscard]] BodyWork work() const {
-    BodyWork sum = total_work(work_);
-    sum += other_work_;
-    if constexpr (Domain::periodic) {
-      ExactSum by_cell;
-      for (const ExactSum& work : image_work_) by_cell += work;
-      sum.boundary += by_cell.value();
-    }
-    return sum;
-  }
+  [[nodiscard]] BodyWork work() const { return total_work(work_, image_work_, other_work_); }
   /// Force [N] of all contacts on body i, a wall or any other, and their moment about its centroid
   /// c [N m]; about a point p: moment + cross(c - p, force). Zero moment for a platen.
   [[nodiscard]] const Wrench& force_on(BodyIndex i) const {
@@ -128,8 +120,7 @@ class Simulation : public BodyChanges<Simulation<ModelType>> {
     return particles_.body(i).contact;
   }
   [[nodiscard]] const std::vector<BreakEvent>& breaks() const { return breaks_; }
-  /// For the hook before_splits: the particles that are about to break, still whole and in the
-  /// order of their ids, and how. Elsewhere what the last stress check found.
+  /// In the hook before_splits: which particles break, still whole, and how; in order of ids.
   [[nodiscard]] const BreakagePass::Cracks& cracks() const
     requires breakable
   {
@@ -172,22 +163,6 @@ class Simulation : public BodyChanges<Simulation<ModelType>> {
     breakage_.operators.set_budget(bytes);
   }
 
-  /// Element stresses of particle i under its present contact forces, the points of the elements at
-  /// which they are sampled, and the finite-element mesh, in the particle's own frame.
-  [[nodiscard]] ElementStress element_stress(BodyIndex i) const {
-    return stress_query(i).element_stress(i);
-  }
-  [[nodiscard]] std::vector<SamplingPoint> sampling_points(BodyIndex i) const {
-    return stress_query(i).sampling_points(i);
-  }
-  [[nodiscard]] Mesh mesh(BodyIndex i) const { return stress_query(i).mesh(i); }
-  /// Rat of every particle now (0 for driven and unloaded ones), in the order of the bodies.
-  [[nodiscard]] std::vector<double> failed_ratios() const {
-    std::vector<double> ratios(particles_.size(), 0);
-    if constexpr (breakable) ratios = stress_query().failed_ratios();
-    return ratios;
-  }
-
   /// What a simulation of the same model and rock needs to go on; written, `restored` must follow.
   static void for_each_field(auto& self, auto&& visit) {
     visit("steps", self.steps_);
@@ -213,13 +188,10 @@ class Simulation : public BodyChanges<Simulation<ModelType>> {
 
  private:
   friend class BodyChanges<Simulation>;
+  friend class StressQueries<Simulation>;
 
   [[nodiscard]] StressQuery<ModelType, Contacts> stress_query() const {
     return {model_, rock_, particles_, contacts_, breakage_};
-  }
-  [[nodiscard]] StressQuery<ModelType, Contacts> stress_query(BodyIndex i) const {
-    require_body(particles_, i);
-    return stress_query();
   }
 
   [[nodiscard]] auto body_step() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <riprap/breakage/particle_failure.hpp>
+#include <riprap/simulation/body_settings.hpp>
 #include <riprap/simulation/breakage_stage.hpp>
 #include <riprap/stress/contact_loads.hpp>
 #include <riprap/stress/particle_stress.hpp>
@@ -67,6 +68,38 @@ class StressQuery {
   const Particles& particles_;
   const Contacts& contacts_;
   const BreakageStage<ModelType>& stage_;
+};
+
+/// Base of a Simulation: what it says of the stress in its particles.
+template <class Sim>
+class StressQueries {
+ public:
+  /// Element stresses of particle i under its present contact forces, the points of the elements at
+  /// which they are sampled, and the finite-element mesh, in the particle's own frame. Throw
+  /// InvalidInput for a body that is not there.
+  [[nodiscard]] ElementStress element_stress(BodyIndex i) const {
+    return query(i).element_stress(i);
+  }
+  [[nodiscard]] std::vector<SamplingPoint> sampling_points(BodyIndex i) const {
+    return query(i).sampling_points(i);
+  }
+  [[nodiscard]] Mesh mesh(BodyIndex i) const { return query(i).mesh(i); }
+  /// Rat of every particle now (0 for driven and unloaded ones), in the order of the bodies.
+  [[nodiscard]] std::vector<double> failed_ratios() const {
+    if constexpr (Sim::breakable)
+      return sim().stress_query().failed_ratios();
+    else
+      return std::vector<double>(sim().particles().size(), 0);
+  }
+
+ private:
+  friend Sim;
+  StressQueries() = default;
+  [[nodiscard]] const Sim& sim() const { return static_cast<const Sim&>(*this); }
+  [[nodiscard]] auto query(BodyIndex i) const {
+    require_body(sim().particles(), i);
+    return sim().stress_query();
+  }
 };
 
 }  // namespace riprap
