@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <variant>
 #include <vector>
@@ -310,4 +312,19 @@ TEST_CASE("each name of a line fit stands for one") {
   stands_for("plane", riprap::FailurePlaneThroughCentroid{});
   CHECK(std::holds_alternative<riprap::WeightedXY>(chosen_line_fit(options_from({})).chosen));
   CHECK(contains(refusal({"--line-fit", "z"}), "--line-fit: "));
+}
+
+TEST_CASE("A run that goes on has the options of its folder, but for a few") {
+  const riprap::test::TemporaryFile folder;
+  std::filesystem::create_directories(folder.path());
+  std::ofstream(folder.path() + "/parameters.toml") << "seed = 7\nfriction = 0.4\nstrain = 0.1\n";
+  const Options o = options_from({"--resume", folder.path(), "--strain=0.3", "--threads", "1"});
+  CHECK(o.assembly.seed == 7);
+  CHECK(o.energy_conserving.friction == 0.4);
+  CHECK(o.test.axial_strain == 0.3);
+  CHECK(o.out == folder.path());
+  CHECK_THROWS_AS((void)options_from({"--resume", folder.path(), "--seed", "3"}),
+                  CLI::ValidationError);
+  CHECK_THROWS_AS((void)options_from({"--resume", folder.path() + "/nothing"}), CLI::ParseError);
+  std::filesystem::remove_all(folder.path());
 }

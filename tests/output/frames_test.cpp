@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -82,6 +83,24 @@ Stress2 mean_stress_of(const ReadRecord& broken) {
   }
   CHECK(area == test::near_relative(broken["areas"][0] + broken["areas"][1], 1e-5));
   return (1 / area * sum).rotated(Rotation::from_angle(broken["pose"][2]));
+}
+
+/// Second moments of the area about the centroid, in laboratory axes [m^4].
+Stress2 second_moments_of(const ReadRecord& broken) {
+  const auto& nodes = broken["nodes"];
+  const auto& corners = broken["triangles"];
+  Stress2 sum;
+  for (std::size_t e = 0; e < corners.size() / 3; ++e) {
+    std::array<Vec2, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto n = static_cast<std::size_t>(corners[3 * e + k]);
+      p[k] = {nodes[2 * n], nodes[2 * n + 1]};
+    }
+    const double twelfth = cross(p[1] - p[0], p[2] - p[0]) / 24;
+    for (const Vec2& v : {p[0], p[1], p[2], Vec2(p[0] + p[1] + p[2])})
+      sum += twelfth * symmetric_product(v, v);
+  }
+  return sum.rotated(Rotation::from_angle(broken["pose"][2]));
 }
 
 /// Forwards to a writer what happens after a step: the writer joins a run there.
@@ -231,16 +250,22 @@ TEST_CASE("a break is written with the stresses that caused it") {
     CHECK(failed.size() == event.failures.elements);
     CHECK(std::accumulate(failed.begin(), failed.end(), 0.0) ==
           static_cast<double>(event.failures.failed));
-    // The mean stress of a body in equilibrium is -1/(A t) sum of force times arm, symmetric part;
-    // inertia relief adds nothing to it. Loads act at the nearest point of the boundary, up to half
-    // an overlap from the contact point: some per cent of the arm.
+    // The mean stress of a body is -1/(A t) sum of force times arm, symmetric part, and that of the
+    // body force that balances the loads: of the angular acceleration M / J, for the other one has
+    // no moments about the centroid. Loads act at the nearest point of the boundary, up to half an
+    // overlap from the contact point: some per cent of the arm.
     Stress2 loads;
+    double moment = 0;
     const double area = event.areas[0] + event.areas[1];
     for (std::size_t c = 0; c < r["points"].size() / 2; ++c) {
       const Vec2 arm{r["points"][2 * c] - r["pose"][0], r["points"][2 * c + 1] - r["pose"][1]};
       const Vec2 force{r["forces"][2 * c], r["forces"][2 * c + 1]};
       loads += (-1 / (area * 0.016)) * symmetric_product(force, arm);
+      moment += cross(arm, force);
     }
+    const Stress2 s = second_moments_of(r);
+    loads +=
+        (moment / (s.s11 + s.s22) / (area * 0.016)) * Stress2{-s.s12, s.s12, 0.5 * (s.s11 - s.s22)};
     const Stress2 mean = mean_stress_of(r);
     const double size = std::abs(loads.s11) + std::abs(loads.s22);
     CHECK(size > 1e6);
