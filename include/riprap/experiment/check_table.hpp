@@ -44,6 +44,7 @@ struct CheckedNumber {
     visit("measured", self.measured);
     visit("stage", self.stage);
     visit("axial_strain", self.axial_strain);
+    visit("stage_name", self.stage_name);
   }
 };
 
