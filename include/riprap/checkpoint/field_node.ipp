@@ -66,6 +66,7 @@ RIPRAP_INLINE std::uint64_t digest(std::span<const std::byte> bytes) {
   return hash;
 }
 
+// As deep as types are nested. NOLINTNEXTLINE(misc-no-recursion)
 RIPRAP_INLINE std::uint64_t digest(const FieldNode& node) {
   const auto text = [](std::string_view s) { return digest(std::as_bytes(std::span(s))); };
   std::uint64_t hash = splitmix64(text(node.name()) ^ text(node.type));
@@ -107,6 +108,7 @@ template <class Number>
 
 }  // namespace internal
 
+// As deep as types are nested. NOLINTNEXTLINE(misc-no-recursion)
 RIPRAP_INLINE std::optional<std::string> difference(const FieldNode& in_file,
                                                     const FieldNode& in_program) {
   const auto sentence = [&](const std::string& file, const std::string& program) {

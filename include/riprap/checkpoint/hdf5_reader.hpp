@@ -20,6 +20,7 @@ namespace riprap::internal {
 class Hdf5Reader {
  public:
   /// The attributes and fields of an open group.
+  // As deep as types are nested. NOLINTNEXTLINE(misc-no-recursion)
   static void read_group(hid_t group, FieldNode& node) {
     read_attributes(group, node);
     H5G_info_t info;

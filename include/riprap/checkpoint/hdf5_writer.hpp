@@ -19,6 +19,7 @@ namespace riprap::internal {
 /// Writes fields into an open file or group.
 class Hdf5Writer {
  public:
+  // As deep as types are nested. NOLINTNEXTLINE(misc-no-recursion)
   static void write_children(hid_t group, const FieldNode& node) {
     for (const FieldNode& child : node.children) write(group, child);
   }
@@ -36,6 +37,7 @@ class Hdf5Writer {
   }
 
  private:
+  // As deep as types are nested. NOLINTNEXTLINE(misc-no-recursion)
   static void write(hid_t parent, const FieldNode& node) {
     const std::string name(node.name());
     if (node.kind == FieldNode::Kind::group) {

@@ -128,7 +128,6 @@ class FrameWriter {
   template <class Sim>
   void begin_file(const BiaxialView<Sim>& view) {
     make_folder(folder_.string());
-    file_.emplace(file_in(folder_).string());
     append_bytes(frames_signature);
     Record record = run_record(view.sim);
     record.add("pressure", view.confining_pressure);
@@ -147,6 +146,7 @@ class FrameWriter {
   }
   void append(const Record& record) { append_bytes(record.bytes()); }
   void append_bytes(std::string_view bytes) {
+    if (!file_) file_.emplace(file_in(folder_).string());
     file_->append(bytes);
     bytes_ += bytes.size();
   }
