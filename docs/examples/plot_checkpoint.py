@@ -22,7 +22,7 @@ with h5py.File(sys.argv[1]) as file:
 places = [position[i] + rotation[i] * local[first[i] : first[i] + count[i]] for i in range(len(first))]
 rings = [np.column_stack([ring.real, ring.imag]) for ring in places]
 figure, axes = pyplot.subplots(figsize=(7, 7))
-axes.add_collection(PolyCollection(rings, array=generation, cmap="Oranges", edgecolor="black", clim=(-1, 4)))
+axes.add_collection(PolyCollection(rings, array=generation, cmap="Oranges", edgecolor="black", linewidth=0.4, clim=(-1, 4)))
 axes.set(aspect="equal", xlabel="axis 1 [m]", ylabel="axis 2 [m]", title=f"{len(rings)} particles, t = {time:.4g} s")
 axes.autoscale_view()
-figure.savefig(sys.argv[2], dpi=120)
+figure.savefig(sys.argv[2], dpi=110, bbox_inches="tight")
