@@ -29,8 +29,8 @@ class RunLock {
   RunLock& operator=(const RunLock&) = delete;
 
   // False if another one has it. A lock whose processes are gone is taken over on the machine that
-  // they were on; with `take_over` also one of another machine, whose processes nobody here can
-  // see, and one without an owner. Throws riprap::SimulationError if the system refuses.
+  // they were on; with `take_over` also one of another machine, whose processes cannot be seen
+  // from here, and one without an owner. Throws riprap::SimulationError if the system refuses.
   [[nodiscard]] bool acquire(bool take_over);
   // The process that the study has started, so that the lock lasts as long as one of the two does.
   void note_child(pid_t child);

@@ -121,7 +121,7 @@ TEST_CASE("a command that the program refuses is no failure of the run") {
   CHECK(study.starts() == "15 new 0; 15 new 0; ");
 }
 
-TEST_CASE("runs that another study makes are passed over") {
+TEST_CASE("runs that another study is making are left out") {
   const FakeStudy study;
   RunLock lock(study.making.folder / "seed=1");
   CHECK(lock.acquire(false));

@@ -16,7 +16,8 @@ namespace riprap {
 
 namespace internal {
 
-/// What AnyOf and AllOf share; `One` is a variant of conditions. All parts are asked at every step.
+/// What AnyOf and AllOf share; `One` is a variant of conditions. Every part is evaluated at every
+/// step.
 template <class One>
 struct Conditions {
   std::vector<One> parts{};
