@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <riprap/checkpoint/fields_of.hpp>
+#include <riprap/experiment/loading_stage.hpp>
 #include <support/message_of.hpp>
 
 using namespace riprap;
@@ -223,4 +224,33 @@ struct Forgetful {
 TEST_CASE("A member that is not named is found") {
   CHECK(test::contains(test::message_of([] { (void)fields_of(Forgetful{}, "f"); }),
                        "Forgetful names 24 of 48 bytes"));
+}
+
+namespace {
+
+struct WithParameters {
+  double parameter = 1;
+  double state = 2;
+  double more = 3;
+
+  static void for_each_parameter(auto& self, auto&& visit) { visit("parameter", self.parameter); }
+  static void for_each_field(auto& self, auto&& visit) { visit("state", self.state); }
+};
+
+template <class Part>
+void check_named() {
+  CHECK(test::message_of([] { (void)fields_of(Part{}, "part"); }).empty());
+}
+template <class... Parts>
+void check_all_named(const std::variant<Parts...>*) {
+  (check_named<Parts>(), ...);
+}
+
+}  // namespace
+
+TEST_CASE("Parameters that are named apart from the state count as named") {
+  CHECK(test::contains(test::message_of([] { (void)fields_of(WithParameters{}, "w"); }),
+                       "WithParameters names 16 of 24 bytes"));
+  check_all_named(static_cast<AxisControl*>(nullptr));
+  check_all_named(static_cast<EndCondition*>(nullptr));
 }

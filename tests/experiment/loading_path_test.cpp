@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <riprap/checkpoint/fields_of.hpp>
 #include <riprap/experiment/curve.hpp>
 #include <riprap/experiment/loading_path.hpp>
 #include <riprap/experiment/preparation.hpp>
@@ -11,7 +12,6 @@
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
 #include <string>
-#include <support/field_copy.hpp>
 #include <support/near.hpp>
 #include <vector>
 
@@ -37,6 +37,10 @@ struct Vibration {
     const double omega = 2 * std::numbers::pi * frequency;
     return amplitude * omega * std::cos(omega * (view.sim.time() - begun_at));
   }
+  static void for_each_parameter(auto& self, auto&& visit) {
+    visit("frequency", self.frequency);
+    visit("amplitude", self.amplitude);
+  }
   static void for_each_field(auto& self, auto&& visit) { visit("begun_at", self.begun_at); }
 };
 
@@ -50,6 +54,7 @@ struct Shortened {
     count += view.rate.x() > 0;
     return count >= steps;
   }
+  static void for_each_parameter(auto& self, auto&& visit) { visit("steps", self.steps); }
   static void for_each_field(auto& self, auto&& visit) { visit("count", self.count); }
 };
 
@@ -158,15 +163,15 @@ TEST_CASE("a program's own control and condition run, and stop and go on") {
 
   Unbreakable sim = loose_sample();
   Curve curve;
-  test::FieldCopy fields;
+  FieldNode fields;
   {
     auto run = sample_path.start(sim, curve);
     for (int n = 0; n < 15; ++n) REQUIRE(run.advance());
-    fields.take(run);
-    CHECK(fields.fields().contains("/controls/axis_1/begun_at"));
+    fields = fields_of(run, "run");
+    CHECK(fields.child("controls").child("axis_1").child("begun_at").rows == 1);
   }
   auto run = sample_path.start(sim, curve);
-  fields.put(run);
+  read_fields(fields, run);
   run.restored();
   CHECK(run.run().stages[1].steps == result.stages[1].steps);
   CHECK(curve_csv(curve) == curve_csv(expected));

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
+#include <riprap/checkpoint/fields_of.hpp>
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/experiment/curve.hpp>
 #include <riprap/output/csv.hpp>
@@ -9,8 +10,6 @@
 #include <riprap/simulation/simulation.hpp>
 #include <string>
 #include <vector>
-
-#include <support/field_copy.hpp>
 
 using namespace riprap;
 
@@ -75,22 +74,21 @@ TEST_CASE("a run whose fields are put into another run goes on to the same bytes
   Sim sim = small_sample();
   Curve curve;
   const double friction = sim.contact_law().friction;
-  test::FieldCopy fields;
-  fields.take(short_test.start(sim, curve));
+  FieldNode fields = fields_of(short_test.start(sim, curve), "run");
   for (const std::uint64_t stop : stops) {
     {
       auto run = short_test.start(sim, curve);
-      fields.put(run);
+      read_fields(fields, run);
       run.restored();
       while (sim.steps() < stop) REQUIRE(run.advance());
-      fields.take(run);
+      fields = fields_of(run, "run");
     }
     // The run has gone, and has given law and breakage back.
     CHECK(sim.contact_law().friction == friction);
     CHECK(sim.breakage());
   }
   auto run = short_test.start(sim, curve);
-  fields.put(run);
+  read_fields(fields, run);
   run.restored();
   CHECK(text_of(run.run()) == text_of(result));
   CHECK(tables(curve) == tables(expected));
@@ -98,17 +96,17 @@ TEST_CASE("a run whose fields are put into another run goes on to the same bytes
 
 TEST_CASE("a run that goes on counts the time of its first part") {
   Sim sim = small_sample();
-  test::FieldCopy fields;
+  FieldNode fields;
   double first_part = 0;
   {
     auto run = short_test.start(sim);
     for (int i = 0; i < 1000; ++i) REQUIRE(run.advance());
     first_part = run.result().stages[0].wall_seconds;
     CHECK(first_part > 0);
-    fields.take(run);
+    fields = fields_of(run, "run");
   }
   auto run = short_test.start(sim);
-  fields.put(run);
+  read_fields(fields, run);
   run.restored();
   for (int i = 0; i < 1000; ++i) REQUIRE(run.advance());
   CHECK(run.result().stages[0].wall_seconds > first_part);

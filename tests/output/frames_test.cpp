@@ -17,6 +17,7 @@
 #include <system_error>
 #include <vector>
 
+#include <riprap/checkpoint/fields_of.hpp>
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
@@ -139,14 +140,8 @@ struct CopiesState {
   bool stop_requested(const View& view) {
     if (step == 0 && writer.frames() == frames) {
       step = view.sim.steps();
-      std::vector<double> values;  // all fields are numbers that a double holds
-      FrameWriter::for_each_field(writer, [&](const char*, const auto& field) {
-        values.push_back(static_cast<double>(field));
-      });
-      std::size_t k = 0;
-      FrameWriter::for_each_field(copy, [&](const char*, auto& field) {
-        field = static_cast<std::remove_reference_t<decltype(field)>>(values[k++]);
-      });
+      FieldNode fields = fields_of(writer, "writer");
+      read_fields(fields, copy);
     }
     // Goes on for a while, as a run does that is killed after its last checkpoint.
     return writer.frames() == frames + 5;

@@ -13,6 +13,7 @@
 
 #include <riprap/checkpoint/checkpoint.hpp>
 #include <riprap/core/errors.hpp>
+#include <riprap/output/file.hpp>
 
 namespace riprap {
 
@@ -25,14 +26,12 @@ class CheckpointFolder {
   /// there. Throws SimulationError if one cannot be written.
   template <class Sim, class... Parts>
   void write(const Sim& sim, const Parts&... parts) const {
-    std::error_code error;
-    std::filesystem::create_directories(folder_, error);
-    const std::string digits = std::to_string(sim.steps());
-    const std::string name =
-        "checkpoint_" + std::string(digits.size() < 12 ? 12 - digits.size() : 0, '0') + digits;
-    write_checkpoint((folder_ / (name + ".h5")).string(), sim, parts...);
+    make_folder(folder_.string());
+    const std::string name = "checkpoint_" + internal::padded_number(sim.steps(), 12) + ".h5";
+    write_checkpoint((folder_ / name).string(), sim, parts...);
+    std::error_code ignored;
     const std::vector<std::filesystem::path> all = files();
-    for (std::size_t k = 2; k < all.size(); ++k) std::filesystem::remove(all[k], error);
+    for (std::size_t k = 2; k < all.size(); ++k) std::filesystem::remove(all[k], ignored);
   }
 
   /// Of all checkpoints in the folder, the newest first.

@@ -11,6 +11,7 @@
 
 #include <riprap/checkpoint/durable_file.hpp>
 #include <riprap/core/errors.hpp>
+#include <riprap/output/file.hpp>
 
 namespace riprap {
 
@@ -52,7 +53,7 @@ RIPRAP_INLINE void write_durable_file(const std::string& path, std::span<const s
   if (failed != 0) {
     std::error_code ignored;
     fs::remove(part, ignored);
-    throw SimulationError("cannot write " + path + ": " + std::generic_category().message(failed));
+    internal::throw_cannot_write(path, failed);
   }
   // A file system that cannot do that for a folder has other means.
   const std::string folder = fs::path(path).parent_path().string();

@@ -58,6 +58,7 @@ struct FieldWriter {
     } else {
       if (with_types) node.type = type_name<T>();
       NamedSize named;
+      add_parameters(value, named);
       for_each_field(value, [&]<class Field>(const char* name, const Field& field) {
         append(node.child_at(k++, name), field);
         named.add<Field>();

@@ -29,6 +29,16 @@ class NamedSize {
   std::size_t align_ = 1;
 };
 
+/// Parameters that an object names apart from its state (`for_each_parameter`) count as well.
+template <class T>
+void add_parameters(const T& object, NamedSize& named) {
+  const auto add = [&]<class Parameter>(const char* /*name*/, const Parameter&) {
+    named.add<Parameter>();
+  };
+  if constexpr (requires { T::for_each_parameter(object, add); })
+    T::for_each_parameter(object, add);
+}
+
 /// Throws InvalidInput for an aggregate that is larger than what it names, unless it says that the
 /// rest is derived: `static constexpr bool names_all_members = false`.
 template <class T>

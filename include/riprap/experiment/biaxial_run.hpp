@@ -25,8 +25,7 @@ class BiaxialRun : public PathRun<LoadingStage<>, Sim, Observers...> {
         inertial_number_(inertial_number) {}
 
   BiaxialResult run() {
-    while (this->advance()) {
-    }
+    PathRun<LoadingStage<>, Sim, Observers...>::run();
     return result();
   }
 

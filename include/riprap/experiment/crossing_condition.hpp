@@ -28,7 +28,6 @@ struct Crossing {
     return (value - first) / (target - first);
   }
 
-  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) {
     visit("first", self.first);
     visit("from_below", self.from_below);
@@ -72,7 +71,6 @@ struct StrainReached {
     visit("strain", self.strain);
     visit("of", self.of);
   }
-  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) { visit("crossing", self.crossing); }
 
  private:
@@ -110,7 +108,6 @@ struct StressReached {
     visit("stress", self.stress);
     visit("of", self.of);
   }
-  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) { visit("crossing", self.crossing); }
 
  private:

@@ -47,7 +47,6 @@ struct Jammed {
     visit("pressure", self.pressure);
     visit("kinetic_ratio", self.kinetic_ratio);
   }
-  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) { visit("distance", self.distance); }
 };
 
@@ -77,7 +76,6 @@ struct RestReached {
   static void for_each_parameter(Self& self, Visit&& visit) {
     visit("unbalanced_force", self.unbalanced_force);
   }
-  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) { visit("first", self.first); }
 
   template <class View>
@@ -131,7 +129,6 @@ struct StressesHeld {
     visit("unbalanced_force", self.unbalanced_force);
     visit("quiet_checks", self.quiet_checks);
   }
-  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) {
     visit("quiet", self.quiet);
     visit("first", self.first);

@@ -57,7 +57,6 @@ struct EngineeringRate {
     LoadingRate::for_each_parameter(self.rate_of_strain, visit);
     visit("smooth", self.smooth);
   }
-  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) { visit("ramp_time", self.ramp.time); }
 };
 
@@ -83,7 +82,6 @@ struct LogarithmicRate {
     LoadingRate::for_each_parameter(self.rate_of_strain, visit);
     visit("smooth", self.smooth);
   }
-  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) { visit("ramp_time", self.ramp.time); }
 };
 

@@ -121,7 +121,6 @@ struct ControlledStress {
     visit("stress_rate", self.stress_rate);
     ServoControl::for_each_parameter(self.control, visit);
   }
-  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) {
     visit("servo", self.control.servo);
     visit("first", self.first);
@@ -160,7 +159,6 @@ struct FreeBoundary {
   static void for_each_parameter(Self& self, Visit&& visit) {
     ServoControl::for_each_parameter(self.control, visit);
   }
-  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) { visit("servo", self.control.servo); }
 };
 
@@ -188,7 +186,6 @@ struct StressRatio {
     visit("ratio", self.ratio);
     ServoControl::for_each_parameter(self.control, visit);
   }
-  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) { visit("servo", self.control.servo); }
 };
 
@@ -216,7 +213,6 @@ struct ConstantMeanStress {
     visit("stress", self.stress);
     ServoControl::for_each_parameter(self.control, visit);
   }
-  static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) { visit("servo", self.control.servo); }
 };
 

@@ -22,6 +22,13 @@ struct CloseFile {
 };
 using OpenFile = std::unique_ptr<std::FILE, CloseFile>;
 
+/// Throws SimulationError "cannot write PATH: REASON" with the reason of `error`, an errno.
+[[noreturn, gnu::cold]] void throw_cannot_write(const std::string& path, int error);
+
+/// A number in the name of a file, with zeros before it up to so many digits, so that names sort as
+/// their numbers do.
+[[nodiscard, gnu::cold]] std::string padded_number(std::uint64_t number, std::size_t digits);
+
 }  // namespace internal
 
 /// Makes a folder and those above it, unless it exists; throws SimulationError if that fails.

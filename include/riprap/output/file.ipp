@@ -14,9 +14,13 @@ namespace riprap {
 
 namespace internal {
 
-/// Throws SimulationError "cannot write PATH: REASON" with the reason of `error`, an errno.
-[[noreturn, gnu::cold]] RIPRAP_INLINE void throw_cannot_write(const std::string& path, int error) {
+RIPRAP_INLINE void throw_cannot_write(const std::string& path, int error) {
   throw SimulationError("cannot write " + path + ": " + std::generic_category().message(error));
+}
+
+RIPRAP_INLINE std::string padded_number(std::uint64_t number, std::size_t digits) {
+  const std::string text = std::to_string(number);
+  return std::string(text.size() < digits ? digits - text.size() : 0, '0') + text;
 }
 
 /// 0, or the errno of what failed.

@@ -144,8 +144,7 @@ class ParaViewSeries {
     return false;
   }
   [[nodiscard]] static std::string number_text(std::size_t number) {
-    const std::string digits = std::to_string(number);
-    return std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
+    return internal::padded_number(number, 4);
   }
   [[nodiscard]] std::string collection(const std::string& name) const {
     std::string text = "<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
