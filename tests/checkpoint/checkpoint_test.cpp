@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -139,6 +140,14 @@ void check_restarts(const ModelType& model) {
   }
 }
 
+// An observer that appends to a file.
+struct Log {
+  std::string path{};
+  [[nodiscard]] std::string appended_file() const { return path; }
+  static void for_each_field(auto& /*self*/, auto&& /*visit*/) {}
+  static constexpr bool names_all_members = false;
+};
+
 }  // namespace
 
 TEST_CASE("A restarted run gives the same bytes, with each contact law and integrator") {
@@ -236,6 +245,17 @@ TEST_CASE(
   Compression<decltype(weak_model())> other_experiment;
   CHECK(test::contains(message(simulation_of(weak_model(), 1), other_experiment),
                        "EnergyLedger in the file and "));
+}
+
+TEST_CASE("The file that a part appends to is brought to the disk first") {
+  const auto sim = simulation_of(weak_model(), 1);
+  const test::TemporaryFile file;
+  write_checkpoint(file.path(), sim, Log{});
+  CHECK_FALSE(read_whole_file(file.path()).empty());
+  const test::TemporaryFile other;
+  CHECK_THROWS_WITH_AS(write_checkpoint(other.path(), sim, Log{"/no/such/log"}),
+                       "cannot write /no/such/log: No such file or directory", SimulationError);
+  CHECK_FALSE(std::filesystem::exists(other.path()));
 }
 
 TEST_CASE("A damaged file is refused and nothing is changed") {

@@ -90,17 +90,27 @@ void require_same_model(FieldNode& top, const std::string& path, const Sim& sim,
                          " in the file and " + types[k] + " in the program");
 }
 
+// A part that appends to a file names it by `appended_file()`, empty for none: what the part counts
+// as written has to outlast a loss of power as the checkpoint does.
+template <class Part>
+void sync_appended_file(const Part& part) {
+  if constexpr (requires { part.appended_file(); })
+    if (const std::string path = part.appended_file(); !path.empty()) sync_file(path);
+}
+
 }  // namespace internal
 
 /// Writes the state of a simulation, between two steps, and of its experiment and observers, in
 /// this order, if there are any. The file is on the disk as a whole when the function returns;
-/// until then one that stood at `path` is as it was.
+/// until then one that stood at `path` is as it was. Before it, the file that a part names by
+/// `std::string appended_file() const` is brought to the disk.
 /// Throws SimulationError if it cannot be written. A part with state that it does not name
 /// (core/fields.hpp) is refused at compile time.
 template <class Sim, class... Parts>
 void write_checkpoint(const std::string& path, const Sim& sim, const Parts&... parts) {
   std::vector<std::byte> image = to_hdf5_image(internal::checkpoint_fields(sim, parts...));
   seal_image(image);
+  (internal::sync_appended_file(parts), ...);
   write_durable_file(path, image);
 }
 

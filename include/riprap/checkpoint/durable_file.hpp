@@ -18,6 +18,10 @@ namespace riprap {
 /// fails; what stood at `path` is then as it was.
 void write_durable_file(const std::string& path, std::span<const std::byte> bytes);
 
+/// Brings what has been written to the file at `path`, and its entry in the folder, to the disk.
+/// Throws SimulationError with the path and the system's reason if that fails.
+void sync_file(const std::string& path);
+
 /// All of a file. Throws InvalidInput with the path and the system's reason if that fails.
 [[nodiscard]] std::vector<std::byte> read_whole_file(const std::string& path);
 

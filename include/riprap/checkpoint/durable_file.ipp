@@ -43,7 +43,20 @@ struct Descriptor {
   return ::fsync(file.number) == 0 ? 0 : errno;
 }
 
+RIPRAP_INLINE void sync_folder_of(const std::string& path) {
+  // A file system that cannot do that for a folder has other means.
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  const Descriptor held(folder.empty() ? "." : folder, O_RDONLY | O_CLOEXEC);
+  if (held.number >= 0) (void)::fsync(held.number);
+}
+
 }  // namespace internal
+
+RIPRAP_INLINE void sync_file(const std::string& path) {
+  const internal::Descriptor file(path, O_RDONLY | O_CLOEXEC);
+  if (file.number < 0 || ::fsync(file.number) != 0) internal::throw_cannot_write(path, errno);
+  internal::sync_folder_of(path);
+}
 
 RIPRAP_INLINE void write_durable_file(const std::string& path, std::span<const std::byte> bytes) {
   namespace fs = std::filesystem;
@@ -55,10 +68,7 @@ RIPRAP_INLINE void write_durable_file(const std::string& path, std::span<const s
     fs::remove(part, ignored);
     internal::throw_cannot_write(path, failed);
   }
-  // A file system that cannot do that for a folder has other means.
-  const std::string folder = fs::path(path).parent_path().string();
-  const internal::Descriptor held(folder.empty() ? "." : folder, O_RDONLY | O_CLOEXEC);
-  if (held.number >= 0) (void)::fsync(held.number);
+  internal::sync_folder_of(path);
 }
 
 RIPRAP_INLINE std::vector<std::byte> read_whole_file(const std::string& path) {

@@ -53,6 +53,10 @@ class FrameWriter {
   }
   [[nodiscard]] std::uint64_t frames() const { return frames_; }
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+  /// The file, for checkpoints, which bring it to the disk; empty before the first frame.
+  [[nodiscard]] std::string appended_file() const {
+    return bytes_ > 0 ? file_in(folder_).string() : std::string();
+  }
 
   template <class Sim>
   void begin_stage(const BiaxialView<Sim>& view) {
