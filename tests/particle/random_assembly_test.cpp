@@ -3,10 +3,12 @@
 #include <riprap/particle/random_assembly.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <doctest/doctest.h>
 #include <limits>
 #include <vector>
 
+#include <riprap/dynamics/boundary/strain_field.hpp>
 #include <riprap/geometry/overlap.hpp>
 
 #include <support/message_of.hpp>
@@ -322,4 +324,54 @@ TEST_CASE("options are checked by name, value and rule") {
     CHECK(complaint({.boundary_spacing = bad}) ==
           "RandomAssembly.boundary_spacing = " + to_text(bad) + ": must lie in (0, 2]");
   CHECK(contains(complaint({.shape = {.fewest_vertices = 2}}), "PolygonShape.fewest_vertices = 2"));
+}
+
+TEST_CASE("a rectangular sample: the ring is closed on its sides, all others are inside") {
+  for (const double aspect_ratio : {1.0, 2.5}) {
+    const RandomAssembly options{.count = 400,
+                                 .seed = 7,
+                                 .sample_outline = SampleOutline::rectangle,
+                                 .aspect_ratio = aspect_ratio};
+    const Assembly assembly = random_assembly(options);
+    REQUIRE(assembly.particles.size() == 400);
+    CHECK(overlapping_pairs(assembly) == 0);
+    const double area = total_area(assembly) / options.solid_fraction;
+    const Vec2 half{0.5 * std::sqrt(area * aspect_ratio), 0.5 * std::sqrt(area / aspect_ratio)};
+    double length = 0;  // along the ring
+    Vec2 before{0, 0};
+    Vec2 first{0, 0};
+    std::size_t boundary = 0;
+    for (const Placed& p : placed(assembly)) {
+      const Vec2 share{std::abs(p.centroid.x()) / half.x(), std::abs(p.centroid.y()) / half.y()};
+      if (p.on_boundary) {
+        CHECK(std::max(share.x(), share.y()) == near_relative(1, 1e-12));
+        if (boundary == 0) first = p.centroid;
+        if (boundary > 0) length += (p.centroid - before).norm();
+        before = p.centroid;
+        ++boundary;
+      } else {
+        CHECK(std::min(half.x() * (1 - share.x()), half.y() * (1 - share.y())) >=
+              0.5 * options.mean_diameter * (1 - 1e-12));
+      }
+    }
+    // All round: four chords at most cut a corner, by less than a diameter and a half each.
+    length += (first - before).norm();
+    const double perimeter = 4 * (half.x() + half.y());
+    CHECK(length <= perimeter * (1 + 1e-12));
+    CHECK(length > perimeter - 4 * 1.5 * options.mean_diameter);
+  }
+}
+
+TEST_CASE("the area of a rectangular sample follows the strain field") {
+  Particles particles(1, 1);
+  const Assembly assembly = random_assembly(
+      {.count = 200, .seed = 3, .sample_outline = SampleOutline::rectangle, .aspect_ratio = 2});
+  for (const PlacedParticle& p : assembly.particles) particles.add(p.polygon, p.motion);
+  StrainField field;
+  field.enclose(assembly, particles);
+  field.set_rate(0.25, -0.5);
+  const double before = field.region(particles).area();
+  field.drive(particles.bodies(), 1);
+  for (Body& body : particles.bodies()) body.position += 1.0 * body.velocity;
+  CHECK(field.region(particles).area() == near_relative(before * 0.75 * 1.5, 1e-12));
 }

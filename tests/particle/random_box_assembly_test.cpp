@@ -134,5 +134,5 @@ TEST_CASE("box assemblies check their options") {
                        "RandomAssembly.walls = 0: must be Motion::platen or Motion::wall",
                        InvalidInput);
   CHECK_THROWS_WITH_AS((void)random_assembly({.aspect_ratio = 2}),
-                       "RandomAssembly.aspect_ratio = 2: must be 1 for a ring", InvalidInput);
+                       "RandomAssembly.aspect_ratio = 2: must be 1 for a circle", InvalidInput);
 }

@@ -33,6 +33,14 @@ struct RandomPolygons {
 
 [[nodiscard]] RandomPolygons random_polygons(const RandomAssembly& options, Random& random);
 
+/// Half width and half height of a rectangle [m].
+/// @param area [m^2], @param aspect_ratio width over height [-]
+[[nodiscard]] inline Vec2 half_extents(double area, double aspect_ratio) {
+  const double half = 0.5 * std::sqrt(area);
+  const double stretch = std::sqrt(aspect_ratio);
+  return {half * stretch, half / stretch};
+}
+
 /// Buckets of placed polygons, so that a new one is tested against its neighbourhood only. A cell
 /// is at least twice as wide as any vertex is far from its centroid: a sharp tip reaches farther
 /// than half the diameter.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// A loose circular assembly of random sharp polygons inside a ring of boundary particles.
+/// A loose circular or rectangular assembly of random sharp polygons inside a ring of boundary
+/// particles.
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +21,9 @@ namespace internal {
 
 }  // namespace internal
 
-namespace internal {}  // namespace internal
-
-/// Places polygons at random without overlap inside a circle about the origin. The first ones of
-/// the list form the boundary: a ring driven by the strain field. Same seed, same bytes.
+/// Places polygons at random without overlap inside a circle or a rectangle about the origin. The
+/// first ones of the list form the boundary: a ring driven by the strain field. Same seed, same
+/// bytes.
 [[nodiscard]] Assembly random_assembly(const RandomAssembly& options);
 
 }  // namespace riprap

@@ -10,13 +10,6 @@ namespace riprap {
 
 namespace internal {
 
-/// Half width and half height of the rectangle that the polygons fill by the solid fraction [m].
-[[nodiscard]] RIPRAP_INLINE Vec2 half_extents(const RandomAssembly& options, double area) {
-  const double half = 0.5 * std::sqrt(area / options.solid_fraction);
-  const double stretch = std::sqrt(options.aspect_ratio);
-  return {half * stretch, half / stretch};
-}
-
 /// A place in a rectangle about the origin.
 [[nodiscard]] RIPRAP_INLINE Vec2 place_in_box(const Vec2& half, Random& random) {
   const double x = random.uniform(-half.x(), half.x());
@@ -29,7 +22,8 @@ RIPRAP_INLINE Assembly random_platen_assembly(const RandomAssembly& options) {
   options.validate();
   Random random(options.seed);
   internal::RandomPolygons made = internal::random_polygons(options, random);
-  const Vec2 half = internal::half_extents(options, made.area);
+  const Vec2 half =
+      internal::half_extents(made.area / options.solid_fraction, options.aspect_ratio);
 
   Assembly assembly{.thickness = options.thickness, .particles = {}};
   const double d = internal::mean_diameter(options);
@@ -59,7 +53,8 @@ RIPRAP_INLINE Assembly random_periodic_assembly(const RandomAssembly& options) {
   options.validate();
   Random random(options.seed);
   internal::RandomPolygons made = internal::random_polygons(options, random);
-  const Vec2 half = internal::half_extents(options, made.area);
+  const Vec2 half =
+      internal::half_extents(made.area / options.solid_fraction, options.aspect_ratio);
   const Vec2 period = 2 * half;
 
   Assembly assembly{.thickness = options.thickness, .particles = {}, .period = period};

@@ -12,6 +12,9 @@
 
 namespace riprap {
 
+/// Outline of a sample inside a ring of boundary particles.
+enum class SampleOutline { circle, rectangle };
+
 /// What a random assembly is made of.
 struct RandomAssembly {
   /// Particles. Those of the ring are among them (random_assembly); platens come on top
@@ -34,8 +37,9 @@ struct RandomAssembly {
   /// Outlines to choose from at random, turned at random and scaled to the diameters; their own
   /// size and place do not count. Empty: random polygons of `shape`.
   std::vector<ConvexPolygon> outlines = {};
-  /// Width along axis 1 over height along axis 2 [-], of the box of random_platen_assembly or the
-  /// cell of random_periodic_assembly; 1 for random_assembly, whose outline is a circle.
+  /// Of random_assembly; the others are rectangles.
+  SampleOutline sample_outline = SampleOutline::circle;
+  /// Width along axis 1 over height along axis 2 [-] of a rectangle; 1 for a circle.
   double aspect_ratio = 1;
   /// Of the walls of random_platen_assembly: smooth (Motion::platen) or rough (Motion::wall).
   Motion walls = Motion::platen;
