@@ -45,6 +45,9 @@ class PairList {
   void finish() {
     std::sort(keys_.begin(), keys_.end());
     next_pairs_.clear();
+    // Empty: room for the pairs of pieces without a copy of all others when they come.
+    if (next_pairs_.capacity() < keys_.size() + keys_.size() / 16)
+      next_pairs_.reserve(keys_.size() + keys_.size() / 4);
     map_.begin();
     std::size_t former = 0;
     for (const Key& k : keys_) {

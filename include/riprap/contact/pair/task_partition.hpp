@@ -65,6 +65,7 @@ void partition_pairs(std::span<const ContactType> pairs, std::size_t bodies,
                                 [last](const ContactType& c) { return c.a < last; });
     task.last_pair = index();
     task.appended.clear();
+    task.appended.reserve(16);  // a break allocates nothing here
     task.touching.clear();
     task.touching.reserve(task.pairs() + task.pairs() / 2);  // rarely grows again
     task.crossing.clear();
