@@ -65,5 +65,5 @@ TEST_CASE("What is no checkpoint, and one of a newer riprap, is refused by name"
   image = sealed();
   image[std::strlen("riprap checkpoint\nschema ")] = std::byte{'3'};
   CHECK(message(image) == "FILE is a checkpoint of another version of riprap: schema 3, and this "
-                          "one reads 1");
+                          "one reads 2");
 }
