@@ -8,11 +8,17 @@
 //                      stress is checked in each at every step, and what has to break breaks. The
 //                      counters say what share of the time the checks are. Timed in the first 3 %
 //                      of strain; the servo steers on, untimed
+// step/one_break/N     what a break costs beside the step in which it occurs, its stress and its
+//                      operator apart: the particle is divided, and the contacts of its pieces are
+//                      found; the mean, and the median as a counter
 // threads/T            5,000 polygons at 8 MPa with breakage on T threads; mind the real time
 //
 // Each sample is brought to shear once, outside the timing, which takes some seconds.
 
+#include <algorithm>
+#include <chrono>
 #include <map>
+#include <vector>
 
 #include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
@@ -112,6 +118,69 @@ BENCHMARK_CAPTURE(breakage, 14MPa, 14e6)
     ->Iterations(1)
     ->UseManualTime()
     ->Unit(benchmark::kSecond);
+
+// Has one particle evaluated, and no other.
+struct OneParticle {
+  template <class BreakagePart, class StressPart>
+  struct State {
+    State(const BreakagePart&, const StressPart&) {}
+    template <class Input, class IsLoaded, class OnPhaseEnd>
+    void find_candidates(const Input& input, ContactLoads& loads, IsLoaded&& is_loaded,
+                         std::vector<BodyIndex>& candidates, OnPhaseEnd&&) {
+      // Far from those before, and intact.
+      do next_ = (next_ + input.particles.size() * 5 / 13 + 1) % input.particles.size();
+      while (input.particles.ancestry(static_cast<BodyIndex>(next_)).generation > 0);
+      const auto i = static_cast<BodyIndex>(next_);
+      loads.gather(input.contacts, i);
+      if (is_loaded(i)) candidates.push_back(i);
+    }
+    void forget(BodyIndex) {}
+
+   private:
+    std::size_t next_ = 0;
+  };
+};
+
+struct FailsAtOnce {
+  [[nodiscard]] double major_stress_at_failure(double minor) const { return minor + 1; }
+  [[nodiscard]] double tensile_strength() const { return 1; }  // [Pa]
+};
+
+// Time from the last crack to the first call for a break.
+struct BreakTimer {
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start{};
+  double seconds = 0;
+
+  void before_splits(const auto&) { start = Clock::now(); }
+  void on_break(const auto&, const BreakEvent&) {
+    seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+};
+
+void one_break(benchmark::State& state) {
+  const auto cells = static_cast<unsigned>(state.range(0)) / 500;
+  const unsigned rows = cells >= 100 ? 10 : cells >= 10 ? 2 : 1;
+  auto sim = sheared(Model{}.criterion(FailsAtOnce{}).screening(OneParticle{}).check_every(10),
+                     blunt_cell(2e6), cells / rows, rows);
+  std::vector<double> seconds;
+  for (auto _ : state) {
+    BreakTimer timer;
+    while (timer.seconds == 0) sim.step(timer);
+    seconds.push_back(timer.seconds);
+    state.SetIterationTime(timer.seconds);
+  }
+  std::sort(seconds.begin(), seconds.end());
+  state.counters["median us"] = 1e6 * seconds[seconds.size() / 2];
+}
+BENCHMARK(one_break)
+    ->Name("step/one_break")
+    ->Arg(500)
+    ->Arg(5000)
+    ->Arg(100000)
+    ->Iterations(100)
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
 
 #ifdef _OPENMP
 void threads(benchmark::State& state) {

@@ -14,8 +14,8 @@ using test::check_violated;
 
 namespace {
 
-// Rebuilds after a break only, however far bodies have moved.
-struct RebuildAfterBreaks {
+// Searches at the start only, however far bodies have moved.
+struct SearchAtTheStart {
   static constexpr bool uses_skin = true;
   template <class Domain>
   struct State : RebuildEveryStep::State<Domain> {
@@ -53,7 +53,7 @@ TEST_CASE("no result depends on what only accelerates") {
 }
 
 TEST_CASE("a list that is rebuilt too late and a screening that leaves out too many are reported") {
-  check_violated(acceleration_violations(Model{}.neighbour_list(RebuildAfterBreaks{})),
+  check_violated(acceleration_violations(Model{}.neighbour_list(SearchAtTheStart{})),
                  "contact forces are the same: difference");
   check_violated(acceleration_violations(Model{}.screening(FirstFive{})),
                  "as many particles break");

@@ -42,12 +42,10 @@ TEST_CASE("a task adds forces to its own bodies only; of any body they are summe
   pairs[0].touching = true;
   pairs[0].geometry = {
       .normal = {1, 0}, .point = {0.495, 0.1}, .depth = 0.01, .area = 0.008, .chord = 0.8};
-  const std::vector<std::uint32_t> touching{0};
   const LinearSpringCoulomb law{.normal_stiffness = 1e6};
   ContactLosses losses;
-  ContactTask task{.first_body = 0, .last_body = 1, .last_pair = 1};
-  find_forces(task, std::span(pairs), std::span<const std::uint32_t>(touching), particles, law,
-              UnboundedDomain{}, 0, task.last_body, losses);
+  ContactTask task{.first_body = 0, .last_body = 1, .last_pair = 1, .touching = {0}};
+  find_forces(task, std::span(pairs), particles, law, UnboundedDomain{}, 0, task.last_body, losses);
   CHECK(task.largest_overlap == 0.008);
   CHECK(particles.body(0).contact.force.x() == near_relative(-1e4, 1e-12));
   CHECK(particles.body(0).contact.moment == near_relative(1e3, 1e-12));  // 0.1 m above the centroid
@@ -63,8 +61,7 @@ TEST_CASE("a task adds forces to its own bodies only; of any body they are summe
   CHECK(sum(0).moment == particles.body(0).contact.moment);
   // Tasks that run in order add to bodies of later ones, too.
   for (Body& body : particles.bodies()) body.contact = {};
-  find_forces(task, std::span(pairs), std::span<const std::uint32_t>(touching), particles, law,
-              UnboundedDomain{}, 0, 2, losses);
+  find_forces(task, std::span(pairs), particles, law, UnboundedDomain{}, 0, 2, losses);
   for (BodyIndex i = 0; i < 2; ++i) {
     CHECK(particles.body(i).contact.force == sum(i).force);
     CHECK(particles.body(i).contact.moment == sum(i).moment);

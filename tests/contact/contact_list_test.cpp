@@ -567,6 +567,7 @@ struct Broken {
   List list = list_with_skin(0.1);
   BodyIndex parent = 0;
   BodyIndex second = 0;
+  Body whole{};  // the beam, before it broke
 };
 
 /// A beam of 3 m on or under two blocks at x = -1 and x = 1, pressed by 1 mm and sheared by 0.2 mm,
@@ -589,6 +590,7 @@ Broken break_beam(bool beam_first) {
   for (const BodyIndex block : {first_block, first_block + 1})
     b.particles.body(block).velocity = {0, 0};
   const Ancestry ancestry = b.particles.ancestry(b.parent);
+  b.whole = b.particles.body(b.parent);
   b.particles.replace(b.parent, rectangle({-0.75, 0}, 1.5, 1), Motion::free, ancestry);
   b.second = b.particles.add(rectangle({0.75, 0}, 1.5, 1), Motion::free, &ancestry);
   return b;
@@ -604,8 +606,9 @@ TEST_CASE("contacts of a broken body go to the piece on whose side they lie") {
     const BodyIndex first_block = beam_first ? 1 : 0;
     for (const BodyIndex i : {first_block, first_block + 1})
       on_blocks.push_back(b.particles.body(i).contact.force);
-    b.list.divide(b.parent, b.second, [](const Vec2& point) { return point.x() > 0; });
-    b.list.update(b.particles, 0);
+    b.list.divide(b.particles, b.whole, b.parent, b.second,
+                  [](const Vec2& point) { return point.x() > 0; });
+    b.list.update_pieces(b.particles);
     CHECK(touching_count(b.list) == 2);
     for (std::size_t k = 0; k < b.list.pairs().size(); ++k) {
       const auto& pair = b.list.pairs()[k];
@@ -633,10 +636,11 @@ TEST_CASE("of a contact that both pieces touch, the piece at its point keeps the
   List list = list_with_skin(0.1);
   shear(particles, list, 2e-4);
   const Ancestry ancestry = particles.ancestry(0);
+  const Body whole = particles.body(0);
   particles.replace(0, rectangle({-0.75, 0}, 1.5, 1), Motion::free, ancestry);
   const BodyIndex second = particles.add(rectangle({0.75, 0}, 1.5, 1), Motion::free, &ancestry);
-  list.divide(0, second, [](const Vec2& point) { return point.x() > 0; });
-  list.update(particles, 0);
+  list.divide(particles, whole, 0, second, [](const Vec2& point) { return point.x() > 0; });
+  list.update_pieces(particles);
   CHECK(touching_count(list) == 2);
   list.for_each_touching([&](const auto& c) {
     // Pieces do not overlap each other: both contacts are with the block.
@@ -658,8 +662,9 @@ TEST_CASE("a body that has lost a part keeps the contacts of the rest") {
       const Ring ring = b.particles.ring(block);
       left.add(ConvexPolygon{std::vector<Vec2>(ring.begin(), ring.end())}, Motion::free);
     }
-    b.list.cut_off(b.parent, [&](const Vec2& point) { return (point.x() > 0) == right_is_lost; });
-    b.list.update(left, 0);
+    b.list.cut_off(left, b.whole, b.parent,
+                   [&](const Vec2& point) { return (point.x() > 0) == right_is_lost; });
+    b.list.update_pieces(left);
     const auto& pair = only_touching(b.list);
     CHECK(pair.a == 0);
     CHECK(pair.b == (right_is_lost ? 1 : 2));
@@ -674,10 +679,11 @@ TEST_CASE("contacts of other bodies are untouched when one breaks") {
   List list = list_with_skin(0.1);
   shear(particles, list, 2e-4);
   const Ancestry ancestry = particles.ancestry(2);
+  const Body whole = particles.body(2);
   particles.replace(2, rectangle({19.75, 0}, 0.5, 1), Motion::free, ancestry);
   const BodyIndex second = particles.add(rectangle({20.25, 0}, 0.5, 1), Motion::free, &ancestry);
-  list.divide(2, second, [](const Vec2&) { return true; });
-  list.update(particles, 0);
+  list.divide(particles, whole, 2, second, [](const Vec2&) { return true; });
+  list.update_pieces(particles);
   CHECK(only_touching(list).a == 0);
   CHECK(only_touching(list).b == 1);
   CHECK(only_touching(list).history.tangential_force == near_relative(200, 1e-9));

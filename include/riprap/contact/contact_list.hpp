@@ -12,18 +12,16 @@
 #include <utility>
 #include <vector>
 
-#include <riprap/contact/broad_phase/pair_search.hpp>
 #include <riprap/contact/concepts.hpp>
 #include <riprap/contact/contact_forces.hpp>
 #include <riprap/contact/detection/evaluate_each_pair.hpp>
-#include <riprap/contact/divided_contacts.hpp>
 #include <riprap/contact/narrow_phase/concepts.hpp>
 #include <riprap/contact/neighbour_list/rebuild_every_step.hpp>
+#include <riprap/contact/neighbours.hpp>
 #include <riprap/contact/overlap_limit.hpp>
 #include <riprap/contact/pair/contact.hpp>
-#include <riprap/contact/pair/pair_index.hpp>
-#include <riprap/contact/pair/pair_list.hpp>
 #include <riprap/contact/pair/task_partition.hpp>
+#include <riprap/contact/piece_contacts.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/core/exact_sum.hpp>
 #include <riprap/core/step_phase.hpp>
@@ -40,7 +38,7 @@ class ContactList {
   using ContactType = Contact<typename Law::History, typename Narrow::Cache, Image>;
 
   ContactList(Broad broad, Narrow narrow, Law law)
-      : search_(std::move(broad)), narrow_(std::move(narrow)), law_(std::move(law)) {
+      : neighbours_(std::move(broad)), narrow_(std::move(narrow)), law_(std::move(law)) {
     riprap::validate(law_);
   }
 
@@ -51,36 +49,38 @@ class ContactList {
   void set_domain(const Domain& domain) { domain_ = domain; }
   [[nodiscard]] const Domain& domain() const { return domain_; }
 
-  /// All pairs of neighbours, touching or not, sorted by (a, b, image).
-  [[nodiscard]] std::span<const ContactType> pairs() const { return list_.pairs(); }
+  /// All pairs of neighbours, touching or not, sorted by (a, b, image); behind them those of pieces
+  /// that have come since the last search.
+  [[nodiscard]] std::span<const ContactType> pairs() const { return table().pairs(); }
   /// Revision of the pair list; changes whenever the sequence of pairs changes.
-  [[nodiscard]] std::uint64_t revision() const { return list_.revision(); }
+  [[nodiscard]] std::uint64_t revision() const { return table().list().revision(); }
   /// From the revision before to this one: arrays that run parallel to the pairs follow by it.
-  [[nodiscard]] const PairMap& map() const { return list_.map(); }
+  [[nodiscard]] const PairMap& map() const { return table().list().map(); }
 
   /// The pairs of each body.
-  [[nodiscard]] const PairIndex& index() const { return index_; }
+  [[nodiscard]] const PairIndex& index() const { return table().index(); }
 
-  /// Calls `visit(contact)` for every pair that touches, in order.
+  /// Calls `visit(contact)` for every pair that touches, in the order (a, b, image).
   template <class Visit>
   void for_each_touching(Visit&& visit) const {
-    for (std::size_t task = 0; task < tasks_.size(); ++task) for_each_touching_in(task, visit);
+    for (std::size_t task = 0; task < tasks(); ++task) for_each_touching_in(task, visit);
   }
   /// Number of tasks, and the touching pairs whose first body is of one of them, in order.
-  [[nodiscard]] std::size_t tasks() const { return tasks_.size(); }
+  [[nodiscard]] std::size_t tasks() const { return table().tasks().size(); }
   template <class Visit>
   void for_each_touching_in(std::size_t task, Visit&& visit) const {
-    for (const std::uint32_t k : touching(tasks_[task])) visit(pairs()[k]);
+    for (const std::uint32_t k : table().tasks()[task].touching) visit(pairs()[k]);
   }
 
   /// Calls `visit(contact, index)` once for every touching pair with a body of a task of
   /// `for_each_task`, in the order of the pairs, so that tasks can gather by body in parallel.
   template <class Visit>
   void for_each_touching_of(std::size_t task, Visit&& visit) const {
-    if (task >= tasks_.size()) return;
-    for (const std::uint32_t k : tasks_[task].shared_pairs)
+    if (task >= tasks()) return;
+    const ContactTask& of = table().tasks()[task];
+    for (const std::uint32_t k : of.shared_pairs)
       if (pairs()[k].touching) visit(pairs()[k], k);
-    for (const std::uint32_t k : touching(tasks_[task])) visit(pairs()[k], k);
+    for (const std::uint32_t k : of.touching) visit(pairs()[k], k);
   }
 
   /// Velocity of b's image relative to a at their contact [m/s].
@@ -92,14 +92,14 @@ class ContactList {
   /// Power that the deformation of a periodic cell puts into the bodies through their images [W].
   [[nodiscard]] double image_power() const {
     ExactSum power;
-    for (std::size_t task = 0; task < tasks_.size(); ++task) add_image_work(task, 1, power);
+    for (std::size_t task = 0; task < tasks(); ++task) add_image_work(task, 1, power);
     return power.value();
   }
   /// Adds the work that it does in a time [s], through the contacts of a task of `for_each_task`.
   void add_image_work(std::size_t task, double time, ExactSum& work) const {
     if constexpr (Domain::periodic) {
-      if (task >= tasks_.size()) return;
-      for (const std::uint32_t k : tasks_[task].crossing)
+      if (task >= tasks()) return;
+      for (const std::uint32_t k : table().tasks()[task].crossing)
         work.add(-time * pairs()[k].force_on_b().dot(domain_.velocity(pairs()[k].image)));
     }
   }
@@ -112,7 +112,7 @@ class ContactList {
   /// may run in parallel; the next `update` records the tasks that were left out.
   void record_motion(const Particles& particles, std::size_t task, std::size_t first,
                      std::size_t last) {
-    list_state_.record_motion(particles, task, first, last);
+    neighbours_.state().record_motion(particles, task, first, last);
   }
 
   /// Finds contacts and forces at the present poses and sums them into the bodies' wrenches.
@@ -121,31 +121,30 @@ class ContactList {
   template <Execution E = Serial, class OnPhaseEnd = NoPhaseTimer>
   void update(Particles& particles, double time_step, const E& execution = {},
               OnPhaseEnd&& on_phase_end = {}) {
-    if (list_state_.is_stale(particles, domain_, execution)) rebuild(particles);
+    if (neighbours_.is_stale(particles, domain_, execution)) search(particles);
     on_phase_end(StepPhase::broad_phase);
-    const DetectionInput<ContactType, Narrow, Domain, ListState> input{
-        list_.pairs(), touching_, particles, narrow_, domain_, list_state_};
-    const auto contacts = [&](std::size_t t) { detection_.find(input, tasks_[t]); };
+    const DetectionInput<ContactType, Narrow, Domain, typename AllNeighbours::State> input{
+        table().pairs(), particles, narrow_, domain_, neighbours_.state()};
+    const std::span<ContactTask> all = table().tasks();
+    const auto contacts = [&](std::size_t t) { detection_.find(input, all[t]); };
     constexpr bool in_order = std::is_same_v<E, Serial>;
     if constexpr (in_order) clear_wrenches(particles, 0, particles.size());
     const auto forces = [&](std::size_t t) {
-      const ContactTask& task = tasks_[t];
+      ContactTask& task = all[t];
       if constexpr (!in_order) clear_wrenches(particles, task.first_body, task.last_body);
-      find_forces(tasks_[t], list_.pairs(), touching(task), particles, law_, domain_, time_step,
+      find_forces(task, table().pairs(), particles, law_, domain_, time_step,
                   in_order ? particles.size() : task.last_body, losses_[t]);
     };
-    constexpr bool timed = !std::is_same_v<std::remove_cvref_t<OnPhaseEnd>, NoPhaseTimer>;
-    if (!timed && divided_.empty()) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<OnPhaseEnd>, NoPhaseTimer>) {
       // Detection and forces of a task while its contacts are in the cache. Same results.
-      execution.run(tasks_.size(), [&](std::size_t t) {
+      execution.run(all.size(), [&](std::size_t t) {
         contacts(t);
         forces(t);
       });
     } else {
-      execution.run(tasks_.size(), contacts);
-      divided_.hand_over(law_, [&](const ContactType& of) { return list_.find_touching(of); });
+      execution.run(all.size(), contacts);
       on_phase_end(StepPhase::narrow_phase);
-      execution.run(tasks_.size(), forces);
+      execution.run(all.size(), forces);
     }
     if constexpr (!in_order) sum_shared(particles, execution);
     on_phase_end(StepPhase::contact_law);
@@ -154,39 +153,60 @@ class ContactList {
   /// Throws SimulationError, naming the particles, for an overlap above `most_overlap`.
   void check_overlaps(const Particles& particles) const {
     double largest = 0;
-    for (const ContactTask& task : tasks_) largest = std::max(largest, task.largest_overlap);
+    for (const ContactTask& task : table().tasks())
+      largest = std::max(largest, task.largest_overlap);
     if (largest > most_overlap * smallest_area_) refuse_deep_overlaps(*this, particles);
   }
 
   /// Makes the next update search the pairs anew.
   void invalidate() {
-    list_state_.invalidate();
+    neighbours_.invalidate();
     detection_.forget_all();
   }
 
   /// After body i was removed, and those behind it have moved up: the next update, which must come
   /// at once, finds the other contacts with their histories.
   void remove(BodyIndex i) {
-    list_.remove(i);
-    detection_.carry(list_.map());
-    list_state_.invalidate();
+    neighbours_.remove(i);
+    detection_.carry(map());
   }
 
-  /// After the particle at `parent` has broken, with its second piece at the highest index: the
-  /// next update hands the histories of its contacts to those of its pieces.
+  /// After the particle at `parent` has broken into a piece at the same index and one at the
+  /// highest: `update_pieces`, which must come next, hands the histories of its contacts to those
+  /// of the pieces.
+  /// @param whole the parent, before it broke
   /// @param of_second whether a point [m] lies on the side of the second piece
   template <class OfSecond>
-  void divide(BodyIndex parent, BodyIndex second, OfSecond&& of_second) {
-    record_contacts(parent);
-    divided_.divide(parent, second, domain_, of_second);
+  void divide(const Particles& particles, const Body& whole, BodyIndex parent, BodyIndex second,
+              OfSecond&& of_second) {
+    record(parent);
+    pieces_.histories.divide(parent, second, domain_, of_second);
+    pieces_.add(second);
+    neighbours_.divide(particles, whole, parent, second);
+    if (neighbours_.is_complete()) detection_.carry(map());
   }
-  /// After a part of the particle at `parent` has been cut off and removed: the next update keeps
-  /// the histories of contacts that are left.
+  /// After a part of the particle at `parent` has been cut off and removed: `update_pieces`, which
+  /// must come next, keeps the histories of contacts that are left.
+  /// @param whole the parent, before it broke
   /// @param of_lost whether a point [m] lies on the side of that part
   template <class OfLost>
-  void cut_off(BodyIndex parent, OfLost&& of_lost) {
-    record_contacts(parent);
-    divided_.cut_off(parent, domain_, of_lost);
+  void cut_off(const Particles& particles, const Body& whole, BodyIndex parent, OfLost&& of_lost) {
+    record(parent);
+    pieces_.histories.cut_off(parent, domain_, of_lost);
+    neighbours_.divide(particles, whole, parent, parent);
+  }
+  /// After `divide` and `cut_off`, at the same poses: finds the contacts of the pieces and their
+  /// forces, and sums those on the pieces and their neighbours anew. All others stay as they are.
+  void update_pieces(Particles& particles) {
+    if (!neighbours_.is_complete()) {
+      (void)neighbours_.is_stale(particles, domain_, Serial{});
+      search(particles);
+      table().list_touching();
+    }
+    for (const BodyIndex piece : pieces_.pieces())
+      smallest_area_ = std::min(smallest_area_, particles.shape(piece).area);
+    losses_.resize(tasks());
+    pieces_.update(table(), particles, narrow_, law_, domain_, losses_);
   }
 
   /// Pairs apart, and what the neighbour list and the detection keep, are found anew by `restore`.
@@ -206,72 +226,39 @@ class ContactList {
   /// After the fields have been written: lists for the poses of the particles, without evaluating a
   /// contact. Throws InvalidInput for a contact of bodies that are far apart.
   void restore(const Particles& particles) {
-    list_.clear();
-    list_state_ = ListState{};
+    neighbours_.clear();
     detection_ = {};
-    rebuild(particles);
+    search(particles);
     for (const ContactType& contact : restored_) {
-      ContactType* const pair = list_.find(contact);
+      ContactType* const pair = table().list().find(contact);
       if (!pair)
         throw InvalidInput("contact of the bodies " + std::to_string(contact.a) + " and " +
                            std::to_string(contact.b) + ": they are not neighbours");
       *pair = contact;
+      pair->know_bodies(particles.body(pair->a), particles.body(pair->b));
     }
     restored_ = {};
-    for (ContactTask& task : tasks_) list_touching(task);
+    table().list_touching();
   }
 
  private:
-  // From the pairs' own flags.
-  void list_touching(ContactTask& task) {
-    task.crossing.clear();
-    for (std::size_t k = task.first_pair; k < task.last_pair; ++k) {
-      if (!pairs()[k].touching) continue;
-      touching_[task.first_pair + task.touching++] = static_cast<std::uint32_t>(k);
-      if (pairs()[k].crosses_boundary) task.crossing.push_back(static_cast<std::uint32_t>(k));
-    }
-  }
+  using AllNeighbours = Neighbours<ContactType, Broad, Domain, List>;
+
+  [[nodiscard]] const PairTable<ContactType>& table() const { return neighbours_.table(); }
+  [[nodiscard]] PairTable<ContactType>& table() { return neighbours_.table(); }
 
   // Of a particle that has broken.
-  void record_contacts(BodyIndex parent) {
-    for (std::size_t k = 0; k < list_.size(); ++k) {
-      const ContactType& pair = pairs()[k];
-      if (pair.a != parent && pair.b != parent) continue;
-      detection_.forget(k);
-      if (pair.touching) divided_.add(pair);
-    }
-    list_state_.invalidate();
+  void record(BodyIndex parent) {
+    pieces_.record(table(), parent, [this](std::size_t k) { detection_.forget(k); });
   }
 
-  using ListState = typename List::template State<Domain>;
-
-  void rebuild(const Particles& particles) {
-    list_.begin();
-    const PairExtent extent = search_.visit_pairs(
-        particles, domain_, List::uses_skin,
-        [this](BodyIndex a, BodyIndex b, const Image& image) { list_.add(a, b, image); });
-    list_.finish();
-    list_state_.rebuilt(particles, domain_, extent);
-    detection_.carry(list_.map());
-    for (ContactType& pair : list_.pairs()) {
-      pair.crosses_boundary = pair.image != Image{};
-      pair.at_platen = particles.body(pair.a).motion == Motion::platen ||
-                       particles.body(pair.b).motion == Motion::platen;
-      pair.a_is_wall = particles.body(pair.a).is_wall();
-      pair.b_is_wall = particles.body(pair.b).is_wall();
-    }
-    partition_pairs(pairs(), particles.size(), tasks_);
-    index_.build(pairs(), particles.size());
-    touching_.resize(list_.size());
-    losses_.resize(tasks_.size());
+  void search(const Particles& particles) {
+    neighbours_.search(particles, domain_);
+    detection_.carry(map());
+    losses_.resize(tasks());
     smallest_area_ = std::numeric_limits<double>::infinity();
     for (BodyIndex i = 0; i < particles.size(); ++i)
       smallest_area_ = std::min(smallest_area_, particles.shape(i).area);
-  }
-
-  // The touching pairs of a task, in order.
-  [[nodiscard]] std::span<const std::uint32_t> touching(const ContactTask& task) const {
-    return {touching_.data() + task.first_pair, task.touching};
   }
 
   static void clear_wrenches(Particles& particles, std::size_t first, std::size_t last) {
@@ -282,9 +269,9 @@ class ContactList {
   // Bodies with pairs in several tasks: the division into tasks does not enter the sum.
   template <Execution E>
   void sum_shared(Particles& particles, const E& execution) {
-    execution.run(tasks_.size(), [&](std::size_t t) {
-      for (const BodyIndex i : tasks_[t].shared_bodies)
-        particles.body(i).contact = sum_forces(index_.of(i), pairs());
+    execution.run(tasks(), [&](std::size_t t) {
+      for (const BodyIndex i : table().tasks()[t].shared_bodies)
+        particles.body(i).contact = sum_forces(index().of(i), pairs());
     });
   }
 
@@ -294,20 +281,15 @@ class ContactList {
     return sum.value();
   }
 
-  PairSearch<Broad, Domain> search_;
-  [[no_unique_address]] ListState list_state_;
+  AllNeighbours neighbours_;
   [[no_unique_address]] typename Detect::template State<Narrow> detection_;
   Narrow narrow_;
   Law law_;
   [[no_unique_address]] Domain domain_{};
-  PairList<ContactType> list_;
-  DividedContacts<ContactType> divided_;
-  PairIndex index_;
-  std::vector<ContactTask> tasks_;
-  std::vector<ContactType> restored_;    // touching pairs, from `for_each_field` to `restore`
-  std::vector<std::uint32_t> touching_;  // of each task, from the index of its first pair on
-  double smallest_area_ = 0;             // of a particle [m^2]
-  std::vector<ContactLosses> losses_;    // of the tasks, since the start
+  PieceContacts<ContactType> pieces_;
+  std::vector<ContactType> restored_;  // touching pairs, from `for_each_field` to `restore`
+  double smallest_area_ = 0;           // of a particle [m^2]
+  std::vector<ContactLosses> losses_;  // of the tasks, since the start
 };
 
 }  // namespace riprap

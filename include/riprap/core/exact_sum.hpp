@@ -72,9 +72,6 @@ class ExactSum {
     return is_negative ? -sum.magnitude() : sum.magnitude();
   }
 
-  /// The same sum in the same fields, whatever terms it comes from: for digests.
-  void normalise() { carry(); }
-
   static void for_each_field(auto& self, auto&& visit) {
     visit("chunks", self.chunks_);
     visit("not_finite", self.not_finite_);

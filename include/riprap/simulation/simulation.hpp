@@ -240,9 +240,7 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
     const std::size_t first = breaks_.size();
     (hooks::before_splits(observers, *this), ...);
     for (const auto& [i, crack] : cracks) split(i, crack);
-    // Contacts of the pieces at the same poses. All other forces stay the same, except those of
-    // dashpots after a second kick, which has changed the velocities.
-    contacts_.update(particles_, 0, model_.execution_policy);
+    contacts_.update_pieces(particles_);
     (hooks::after_splits(observers, *this), ...);
     for (std::size_t k = first; k < breaks_.size(); ++k)
       (hooks::on_break(observers, *this, breaks_[k]), ...);
@@ -257,13 +255,14 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
                      .mode = crack.mode,
                      .line = crack.line,
                      .crack_length = crack.length};
+    const Body whole = particles_.body(i);
     const BodyIndex second = replace_by_pieces(model_, smallest_mass_, crack, i, particles_, event);
     const auto on_right = [&](const Vec2& x) { return crack.line.left_distance(x) < 0; };
     const auto on_dust = [&](const Vec2& x) { return crack.is_dust[on_right(x) ? 1 : 0]; };
     if (crack.leaves_dust())
-      contacts_.cut_off(i, on_dust);
+      contacts_.cut_off(particles_, whole, i, on_dust);
     else
-      contacts_.divide(i, second, on_right);
+      contacts_.divide(particles_, whole, i, second, on_right);
     breakage_.forget(i);
     loads_.forget(i);
     breaks_.push_back(event);

@@ -10,9 +10,11 @@
 #include <riprap/core/random.hpp>
 #include <riprap/geometry/random_polygon.hpp>
 #include <support/near.hpp>
+#include <support/rectangle.hpp>
 
 using namespace riprap;
 using test::near_relative;
+using test::rectangle;
 
 namespace {
 
@@ -223,4 +225,48 @@ TEST_CASE("a sample that is sheared as a whole has a bound of the way of neighbo
   }
   // Half of what the strain takes of `near`; round-off of 200 m is 3e-14 m.
   CHECK(std::abs(bound.value() - before - 0.5 * near * strain * (steps - 10)) <= 1e-12);
+}
+
+TEST_CASE("the bound goes on with the pieces of a body as with the body") {
+  Particles particles(1, 2500);
+  const auto add = [&](double x) { particles.add(rectangle({x, 0}, 2, 1), Motion::free); };
+  for (const double x : {-10.0, 0.0, 10.0}) add(x);  // the outer two stay
+  DisplacementBound<UnboundedDomain> bound;
+  bound.restart(particles, {});
+  const auto value = [&] {
+    bound.update(particles, {}, 1, 1, 1);
+    return bound.value();
+  };
+  const Vec2 corner = particles.ring(1)[0];
+  particles.body(1).position += Vec2{0.03, 0.01};
+  particles.body(1).rotation = Rotation::from_angle(0.05);
+  particles.update_ring(1);
+  (void)value();  // the gradient is known from here on
+  const double whole = value();
+  CHECK(whole >= (particles.ring(1)[0] - corner).norm());
+
+  const Body before = particles.body(1);
+  const Ancestry ancestry = particles.ancestry(1);
+  const auto piece = [&](double x) {
+    return rectangle({x, 0}, 1, 1).moved(before.rotation, before.position);
+  };
+  particles.replace(1, piece(-0.5), Motion::free, ancestry);
+  particles.add(piece(0.5), Motion::free, &ancestry);
+  bound.divide(particles, before, 1, 3);
+  CHECK(bound.bodies() == 4);
+  // Centroids of the pieces move otherwise than that of the whole, corners do not.
+  const double pieces = value();
+  double moved = 0;
+  for (const BodyIndex i : {1U, 3U})
+    for (const Vec2& now : particles.ring(i)) {
+      const Vec2 then = before.rotation.inverse_times(now - before.position);
+      moved = std::max(moved, (now - then).norm());
+    }
+  CHECK(pieces >= moved);
+  CHECK(pieces <= 2 * moved);
+  // A piece that moves on alone.
+  particles.body(3).position += Vec2{0.2, 0};
+  particles.update_ring(3);
+  (void)value();
+  CHECK(value() >= 0.2);
 }

@@ -54,3 +54,21 @@ TEST_CASE("a side has its pair and which body it is") {
   CHECK(PairSide(7, true).is_b());
   CHECK_FALSE(PairSide(7, false).is_b());
 }
+
+TEST_CASE("sides that are added follow the others of their body, which may be new") {
+  PairIndex index;
+  index.build(std::vector<Pair>{{0, 1}, {0, 2}, {1, 2}}, 3);
+  const auto of = [&](BodyIndex i) {
+    const auto found = index.of(i);
+    return std::vector<PairSide>(found.begin(), found.end());
+  };
+  index.add(4, {3, true});
+  index.add(0, {3, false});
+  index.add(0, {4, false});
+  CHECK(index.size() == 5);
+  CHECK(of(0) == std::vector<PairSide>{{0, false}, {1, false}, {3, false}, {4, false}});
+  CHECK(of(1) == std::vector<PairSide>{{0, true}, {2, false}});
+  CHECK(of(2) == std::vector<PairSide>{{1, true}, {2, true}});
+  CHECK(of(3).empty());
+  CHECK(of(4) == std::vector<PairSide>{{3, true}});
+}

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include <riprap/acceleration/batching/pair_batch.hpp>
@@ -31,27 +30,28 @@ struct BatchedDetection {
     void find(const Input& input, ContactTask& task) {
       const bool prefetching = input.pairs.size() > pairs_in_cache;
       if (prefetching) prefetch_next_task(task, input.particles);
-      const std::span<const std::uint32_t> active = active_pairs(input, task);
-      std::size_t last = task.first_pair;
+      const std::size_t active = list_active_pairs(input, task);
+      std::uint32_t* const listed = task.touching.data();  // active pairs, then those that touch
+      std::size_t last = 0;
       bool all_touch = true;
       PairBatch<Narrow> batch;
       const auto evaluate_single = [&](std::size_t k) { all_touch &= find_single(input, k); };
       task.crossing.clear();
-      for (std::size_t place = 0; place < active.size(); ++place) {
-        const std::size_t k = active[place];
-        if (prefetching && place + prefetch_distance < active.size())
-          prefetch(&input.pairs[active[place + prefetch_distance]], sizeof(input.pairs[0]));
+      for (std::size_t place = 0; place < active; ++place) {
+        const std::size_t k = listed[place];
+        if (prefetching && place + prefetch_distance < active)
+          prefetch(&input.pairs[listed[place + prefetch_distance]], sizeof(input.pairs[0]));
         auto& contact = input.pairs[k];
         if (batch.add(k, contact, input.particles)) {
-          input.touching[last++] = static_cast<std::uint32_t>(k);
+          listed[last++] = static_cast<std::uint32_t>(k);
           batch.find_if_full(input.narrow, evaluate_single);
         } else if (find_single(input, k)) {
-          input.touching[last++] = static_cast<std::uint32_t>(k);
+          listed[last++] = static_cast<std::uint32_t>(k);
           if (contact.crosses_boundary) task.crossing.push_back(static_cast<std::uint32_t>(k));
         }
       }
       batch.finish(evaluate_single);
-      task.touching = last - task.first_pair;
+      task.touching.resize(last);
       if (!all_touch) remove_separated(input, task);
     }
 
@@ -73,19 +73,20 @@ struct BatchedDetection {
       }
     }
 
-    // Pairs of a task that may touch, in order, stored in the task's part of `touching`.
+    // Lists the pairs of a task that may touch, in order, in `task.touching`; returns their number.
     // Branch-free: separation is unpredictable.
     template <class Input>
-    [[nodiscard]] std::span<const std::uint32_t> active_pairs(const Input& input,
-                                                              const ContactTask& task) const {
+    [[nodiscard]] std::size_t list_active_pairs(const Input& input, ContactTask& task) const {
       const double displacement = input.list.displacement();
-      std::uint32_t* const active = input.touching.data() + task.first_pair;
+      task.touching.resize(task.pairs());
+      std::uint32_t* const active = task.touching.data();
+      const double* const skip_until = skip_until_.data();
       std::size_t count = 0;
-      for (std::size_t k = task.first_pair; k < task.last_pair; ++k) {
+      task.for_each_pair([&](std::size_t k) {
         active[count] = static_cast<std::uint32_t>(k);
-        count += static_cast<std::size_t>(displacement >= skip_until_[k]);
-      }
-      return {active, count};
+        count += static_cast<std::size_t>(displacement >= skip_until[k]);
+      });
+      return count;
     }
 
     // True if pair k touches.
@@ -104,10 +105,7 @@ struct BatchedDetection {
     // Batched pairs were optimistically listed as touching; removes those that separated.
     template <class Input>
     static void remove_separated(const Input& input, ContactTask& task) {
-      const auto first = input.touching.begin() + static_cast<std::ptrdiff_t>(task.first_pair);
-      const auto last = std::remove_if(first, first + static_cast<std::ptrdiff_t>(task.touching),
-                                       [&](std::uint32_t k) { return !input.pairs[k].touching; });
-      task.touching = static_cast<std::size_t>(last - first);
+      std::erase_if(task.touching, [&](std::uint32_t k) { return !input.pairs[k].touching; });
     }
 
     std::vector<double> skip_until_;  // of each pair, in terms of the list's displacement()

@@ -96,9 +96,33 @@ class DisplacementBound {
     find_outermost();
     last_ = {};
   }
+  /// The body at `parent` has become one piece, at the same index, or two, the other one at
+  /// `second`, above all others: reference poses of the pieces are those that they had as parts of
+  /// the parent, so that the bound goes on.
+  /// @param whole the parent, before it broke
+  /// @param second `parent`, if there is one piece
+  void divide(const Particles& particles, const Body& whole, BodyIndex parent, BodyIndex second) {
+    const Pose reference = poses_[parent];
+    const Rotation turn =
+        product(reference.rotation, {whole.rotation.cosine, -whole.rotation.sine});
+    const auto part = [&](BodyIndex i) -> Pose {
+      const Body& body = particles.body(i);
+      return {reference.position + turn * (body.position - whole.position),
+              product(turn, body.rotation), particles.shape(i).circumradius};
+    };
+    poses_[parent] = part(parent);
+    if (second == parent) return;
+    poses_.push_back(part(second));
+    largest_.resize(task_count(poses_.size()), unknown);
+  }
   [[nodiscard]] std::size_t bodies() const { return poses_.size(); }
 
  private:
+  [[nodiscard]] static Rotation product(const Rotation& p, const Rotation& q) {
+    const Vec2 turned = p * Vec2{q.cosine, q.sine};
+    return {turned.x(), turned.y()};
+  }
+
   // Moves x to x + gradient * x + translation, axis by axis; shear * x_2 comes on top along axis 1.
   struct AffineMotion {
     Vec2 gradient{0, 0};

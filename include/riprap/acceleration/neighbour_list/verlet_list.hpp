@@ -3,6 +3,7 @@
 /// @file
 /// Verlet list (neighbour list): searches again only once pairs may be missing.
 
+#include <algorithm>
 #include <limits>
 
 #include <riprap/acceleration/neighbour_list/displacement_bound.hpp>
@@ -42,6 +43,13 @@ struct VerletList {
       if (bound_.bodies() != particles.size()) bound_.restart(particles, domain);
       extent_ = extent;
       valid_until_ = bound_.contact_threshold(extent.skin);
+    }
+    /// Pieces lie within their parent: its pairs are theirs for as long.
+    void divide(const Particles& particles, const Body& whole, BodyIndex parent, BodyIndex second) {
+      bound_.divide(particles, whole, parent, second);
+      for (const BodyIndex piece : {parent, second})
+        extent_.centres =
+            std::max(extent_.centres, 2 * particles.shape(piece).circumradius + 3 * extent_.skin);
     }
     void invalidate() { valid_until_ = -infinity; }
 

@@ -24,7 +24,7 @@ class TrackedBounds {
   void begin(const Contacts& contacts, std::size_t particles) {
     const PairMap& map = contacts.map();
     if (revision_ != map.to()) {
-      if (revision_ == map.from()) {
+      if (map.leads_from(revision_)) {
         map.carry(sensitivities_, workspace_, LoadSensitivity{}, 2);
       } else {
         sensitivities_.assign(2 * contacts.pairs().size(), {});

@@ -3,7 +3,6 @@
 /// @file
 /// The role of the detection: in which way the narrow phase is evaluated for the pairs of a task.
 
-#include <cstdint>
 #include <span>
 
 #include <riprap/contact/narrow_phase/no_overlap.hpp>
@@ -20,7 +19,6 @@ namespace riprap {
 template <class ContactType, class Narrow, class Domain, class ListState>
 struct DetectionInput {
   std::span<ContactType> pairs;
-  std::span<std::uint32_t> touching;  ///< for each task, from the index of its first pair on
   const Particles& particles;
   const Narrow& narrow;
   const Domain& domain;
@@ -30,10 +28,10 @@ struct DetectionInput {
 namespace requirements {
 
 /// `D::State<Narrow>`: what a simulation keeps from step to step. `state.find(input, task)`
-/// evaluates the pairs of a task, writes the indices of those that touch to `input.touching` in
-/// order and their number to `task.touching`, and fills `task.crossing`. Tasks may run in parallel.
-/// `state.carry(map)` follows a new pair list; `state.forget(k)` and `state.forget_all()` discard
-/// what is kept of pairs whose bodies have changed.
+/// evaluates the pairs of a task, `task.for_each_pair`, and puts the indices of those that touch,
+/// in order, in `task.touching` and, across a boundary, in `task.crossing`. Tasks may run in
+/// parallel. `state.carry(map)` follows a new pair list; `state.forget(k)` and `state.forget_all()`
+/// discard what is kept of pairs whose bodies have changed.
 template <class D>
 concept DetectionState =
     requires { typename D::template State<NoOverlap>; } &&

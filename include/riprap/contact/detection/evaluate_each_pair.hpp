@@ -18,16 +18,15 @@ struct EvaluateEachPair {
 
     template <class Input>
     void find(const Input& input, ContactTask& task) const {
-      std::size_t last = task.first_pair;
+      task.touching.clear();
       task.crossing.clear();
-      for (std::size_t k = task.first_pair; k < task.last_pair; ++k) {
+      task.for_each_pair([&](std::size_t k) {
         auto& contact = input.pairs[k];
         contact.cache = typename Narrow::Cache{};
-        if (!find_contact(contact, input.particles, input.narrow, input.domain)) continue;
-        input.touching[last++] = static_cast<std::uint32_t>(k);
+        if (!find_contact(contact, input.particles, input.narrow, input.domain)) return;
+        task.touching.push_back(static_cast<std::uint32_t>(k));
         if (contact.crosses_boundary) task.crossing.push_back(static_cast<std::uint32_t>(k));
-      }
-      task.touching = last - task.first_pair;
+      });
     }
   };
 };

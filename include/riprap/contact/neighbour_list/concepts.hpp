@@ -24,6 +24,11 @@ concept NeighbourListSkin = requires { typename std::bool_constant<bool{N::uses_
 /// `state.is_stale(particles, domain, execution)` at the new poses, and true once pairs may be
 /// missing; then `state.rebuilt(particles, domain, extent)` with the extent of the new search.
 /// `state.invalidate()` makes the next `is_stale` true.
+///
+/// Optional: `state.divide(particles, whole, parent, second)`: the body `whole` at the index
+/// `parent` has become the pieces at `parent` and `second`; one piece, if the two are equal. The
+/// list goes on with the pairs of the parent as those of each piece. Without it the pairs are
+/// searched anew after a break.
 template <class N, class Domain>
 concept NeighbourListRebuild =
     requires { typename N::template State<Domain>; } &&
@@ -43,6 +48,11 @@ concept NeighbourListBound = requires(const typename N::template State<Domain>& 
   { state.displacement() } -> std::convertible_to<double>;
   { state.contact_threshold(gap) } -> std::convertible_to<double>;
 };
+
+/// The optional function; see NeighbourListRebuild.
+template <class State>
+concept FollowsPieces = requires(State& state, const Particles& particles, const Body& whole,
+                                 BodyIndex i) { state.divide(particles, whole, i, i); };
 
 }  // namespace requirements
 

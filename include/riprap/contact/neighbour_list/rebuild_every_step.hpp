@@ -21,6 +21,7 @@ struct RebuildEveryStep {
       return true;
     }
     void rebuilt(const Particles&, const Domain&, const PairExtent&) {}
+    void divide(const Particles&, const Body&, BodyIndex, BodyIndex) {}
     void invalidate() {}
     [[nodiscard]] double displacement() const { return 0; }
     [[nodiscard]] double contact_threshold(double) const {

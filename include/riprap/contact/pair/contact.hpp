@@ -6,6 +6,7 @@
 #include <riprap/contact/pair/contact_geometry.hpp>
 #include <riprap/core/ids.hpp>
 #include <riprap/core/vec2.hpp>
+#include <riprap/particle/body.hpp>
 #include <riprap/particle/domain.hpp>
 
 namespace riprap {
@@ -28,6 +29,7 @@ struct Contact {
   BodyIndex b = 0;
   [[no_unique_address]] Image image{};  ///< the copy of b in contact with a, in a periodic domain
   bool touching = false;
+  // These follow from the bodies and the image, by `know_bodies`.
   bool at_platen = false;  ///< one of the two is a platen
   bool a_is_wall = false;  ///< a wall or a platen
   bool b_is_wall = false;
@@ -42,6 +44,14 @@ struct Contact {
   Vec2 arm_a{0, 0};
   Vec2 arm_b{0, 0};
 
+  /// Sets what follows from the bodies and the image.
+  void know_bodies(const Body& body_a, const Body& body_b) {
+    crosses_boundary = image != Image{};
+    at_platen = body_a.motion == Motion::platen || body_b.motion == Motion::platen;
+    a_is_wall = body_a.is_wall();
+    b_is_wall = body_b.is_wall();
+  }
+
   /// Force on b [N]; a gets the opposite.
   [[nodiscard]] Vec2 force_on_b() const {
     using namespace internal;
@@ -55,17 +65,13 @@ struct Contact {
   /// From the centroid of a to that of b; at a wall from or to the contact point [m].
   [[nodiscard]] Vec2 branch() const { return branch_arm_a() - branch_arm_b(); }
 
-  /// But for the cache, on which no result depends.
+  /// But for the cache, on which no result depends, and what `know_bodies` sets.
   static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) {
     visit("a", self.a);
     visit("b", self.b);
     visit("image", self.image);
     visit("touching", self.touching);
-    visit("at_platen", self.at_platen);
-    visit("a_is_wall", self.a_is_wall);
-    visit("b_is_wall", self.b_is_wall);
-    visit("crosses_boundary", self.crosses_boundary);
     visit("geometry", self.geometry);
     visit("history", self.history);
     visit("force", self.force);

@@ -37,29 +37,56 @@ class PairIndex {
   /// @param pairs of bodies `a` and `b` below `bodies`
   template <class Pairs>
   void build(const Pairs& pairs, std::size_t bodies) {
-    // Counted two places on, so that filling leaves every start where it belongs.
-    starts_.assign(bodies + 2, 0);
+    ranges_.assign(bodies, {});
     for (const auto& pair : pairs) {
-      ++starts_[pair.a + 2];
-      ++starts_[pair.b + 2];
+      ++ranges_[pair.a].last;
+      ++ranges_[pair.b].last;
     }
-    for (std::size_t i = 2; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-    sides_.resize(starts_.back());
+    std::uint32_t sides = 0;
+    for (Range& range : ranges_) {
+      const std::uint32_t count = range.last;
+      range = {sides, sides};
+      sides += count;
+    }
+    sides_.resize(sides);
     std::size_t k = 0;
     for (const auto& pair : pairs) {
-      sides_[starts_[pair.a + 1]++] = {k, false};
-      sides_[starts_[pair.b + 1]++] = {k, true};
+      sides_[ranges_[pair.a].last++] = {k, false};
+      sides_[ranges_[pair.b].last++] = {k, true};
       ++k;
     }
   }
 
+  /// Adds a side of a pair that follows all others of body i, which may be new.
+  void add(BodyIndex i, PairSide side) {
+    const auto end = static_cast<std::uint32_t>(sides_.size());
+    if (i >= ranges_.size()) ranges_.resize(i + 1, {end, end});
+    Range& range = ranges_[i];
+    if (range.last != end) {  // the sides of the body move to the end
+      for (std::uint32_t k = range.first; k < range.last; ++k) {
+        const PairSide known = sides_[k];
+        sides_.push_back(known);
+      }
+      range = {end, static_cast<std::uint32_t>(sides_.size())};
+    }
+    sides_.push_back(side);
+    ++range.last;
+  }
+
+  /// Number of bodies.
+  [[nodiscard]] std::size_t size() const { return ranges_.size(); }
   /// Of body i, in the order of the pairs.
   [[nodiscard]] std::span<const PairSide> of(BodyIndex i) const {
-    return {sides_.data() + starts_[i], sides_.data() + starts_[i + 1]};
+    return {sides_.data() + ranges_[i].first, sides_.data() + ranges_[i].last};
   }
 
  private:
-  std::vector<std::uint32_t> starts_;
+  struct Range {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+  };
+
+  std::vector<Range> ranges_;  // of each body
   std::vector<PairSide> sides_;
 };
 

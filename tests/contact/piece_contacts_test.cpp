@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <riprap/contact/piece_contacts.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <riprap/riprap.hpp>
+
+#ifdef _OPENMP
+#include <riprap/core/execution/threads.hpp>
+#endif
+
+using namespace riprap;
+
+namespace {
+
+// Tasks from the last to the first: no order but that of the sums may enter a result.
+struct FromTheLast {
+  template <class Work>
+  void run(std::size_t tasks, Work&& work) const {
+    for (std::size_t k = tasks; k-- > 0;) work(k);
+  }
+};
+
+// All numbers of a type with fields, in order.
+template <class T>
+void append_fields(std::vector<double>& numbers, const T& value) {
+  if constexpr (std::is_arithmetic_v<T>)
+    numbers.push_back(static_cast<double>(value));
+  else if constexpr (std::is_same_v<T, Vec2>)
+    numbers.insert(numbers.end(), {value.x(), value.y()});
+  else if constexpr (requires { T::for_each_field(value, [](const char*, const auto&) {}); })
+    T::for_each_field(value,
+                      [&](const char*, const auto& field) { append_fields(numbers, field); });
+  else
+    static_assert(std::is_empty_v<T>);
+}
+
+// Wrenches of all bodies and the records of all contacts in order, with what they have dissipated.
+// As numbers: a tangential force of -0 is +0 once it is evaluated again.
+template <class Contacts>
+std::vector<double> state_of(const Contacts& contacts, const Particles& particles) {
+  std::vector<double> numbers;
+  for (const Body& body : particles.bodies())
+    numbers.insert(numbers.end(),
+                   {body.contact.force.x(), body.contact.force.y(), body.contact.moment});
+  contacts.for_each_touching([&](const auto& contact) {
+    append_fields(numbers, contact);
+    for (const bool flag :
+         {contact.at_platen, contact.a_is_wall, contact.b_is_wall, contact.crosses_boundary})
+      numbers.push_back(flag);
+  });
+  numbers.insert(numbers.end(),
+                 {contacts.friction_loss(), contacts.viscous_loss(), contacts.image_power()});
+  return numbers;
+}
+
+// Compares the contacts after every break with those that a search and evaluation of all pairs find
+// at the same poses, and the indices of the list with its pairs.
+struct CompareWithSearch {
+  std::size_t passes = 0;
+  std::size_t appended = 0;
+
+  template <class Sim>
+  void after_splits(const Sim& sim) {
+    ++passes;
+    const auto& contacts = sim.contacts();
+    Particles particles = sim.particles();
+    auto searched = contacts;
+    searched.invalidate();
+    searched.update(particles, 0, sim.model().execution_policy);
+    REQUIRE(searched.tasks() == contacts.tasks());
+    CHECK(state_of(contacts, sim.particles()) == state_of(searched, particles));
+    // Of the pairs of a body and of a task those that touch, in the same order.
+    const auto partners = [](const auto& list, BodyIndex i) {
+      std::vector<BodyIndex> found;
+      for (const PairSide side : list.index().of(i)) {
+        const auto& pair = list.pairs()[side.pair()];
+        CHECK((side.is_b() ? pair.b : pair.a) == i);
+        if (pair.touching) found.push_back(side.is_b() ? pair.a : pair.b);
+      }
+      return found;
+    };
+    const auto touching_of = [](const auto& list, std::size_t task) {
+      std::vector<BodyIndex> found;
+      list.for_each_touching_of(task, [&](const auto& contact, std::size_t k) {
+        CHECK(&contact == &list.pairs()[k]);
+        found.insert(found.end(), {contact.a, contact.b});
+      });
+      return found;
+    };
+    for (BodyIndex i = 0; i < particles.size(); ++i)
+      CHECK(partners(contacts, i) == partners(searched, i));
+    for (std::size_t task = 0; task < contacts.tasks(); ++task)
+      CHECK(touching_of(contacts, task) == touching_of(searched, task));
+    appended += static_cast<std::size_t>(
+        !std::ranges::is_sorted(contacts.pairs(), {}, [](const auto& p) { return p.a; }));
+  }
+};
+
+// The Verlet list, searched anew after each break.
+struct SearchAfterBreaks {
+  static constexpr bool uses_skin = true;
+  template <class Domain>
+  struct State : private VerletList::State<Domain> {
+    using Base = VerletList::State<Domain>;
+    using Base::contact_threshold;
+    using Base::displacement;
+    using Base::invalidate;
+    using Base::is_stale;
+    using Base::rebuilt;
+    using Base::record_motion;
+  };
+};
+
+template <class ModelType>
+Assembly sample_for(const ModelType&, unsigned count) {
+  using Boundary = decltype(ModelType::motion_model.boundary);
+  const RandomAssembly options{.count = count, .seed = 3};
+  if constexpr (std::is_same_v<Boundary, RigidPlatens>) return random_platen_assembly(options);
+  if constexpr (std::is_same_v<Boundary, PeriodicCell>) return random_periodic_assembly(options);
+  return random_assembly(options);
+}
+
+// Curve, energies and breaks of a test in which particles break.
+template <class ModelType, class... Observers>
+std::string crushed(const ModelType& model, Observers&... observers) {
+  Simulation sim{model, sample_for(model, 60), Rock{}};
+  Curve curve;
+  BiaxialTest{.confining_pressure = 20e6, .axial_strain = 0.02}.run(sim, curve, observers...);
+  CHECK(sim.breaks().size() >= 5);
+  return curve_csv(curve) + energy_csv(curve) + breakages_csv(curve);
+}
+
+template <class ModelType>
+void compare_with_search(const ModelType& model) {
+  CompareWithSearch compare;
+  (void)crushed(model, compare);
+  CHECK(compare.passes >= 4);
+  CHECK(compare.appended >= 4);
+}
+
+const StraightCut dusty{.minimum_area = 0.1, .dust = true};
+
+}  // namespace
+
+TEST_CASE("contacts after a break are those of a search and evaluation of all pairs") {
+  compare_with_search(Model{});
+  compare_with_search(Model{}.boundary(PeriodicCell{}));
+}
+
+TEST_CASE("with dashpots, dust and tasks in another order, too") {
+  const auto model = Model{}.contact_law(SpringDashpot{}).splitter(dusty);
+  compare_with_search(model.execution(FromTheLast{}));
+  compare_with_search(model.boundary(RigidPlatens{}).execution(FromTheLast{}));
+  compare_with_search(model.boundary(PeriodicCell{}).execution(FromTheLast{}));
+#ifdef _OPENMP
+  compare_with_search(model.execution(Threads{2}));
+  compare_with_search(model.boundary(PeriodicCell{}).execution(Threads{2}));
+#endif
+}
+
+TEST_CASE("a run is the same, whether the list follows pieces or is searched after each break") {
+  const auto compare = [](const auto& model) {
+    const std::string followed = crushed(model);
+    CHECK(followed == crushed(model.neighbour_list(SearchAfterBreaks{})));
+    CHECK(followed == crushed(model.without_acceleration()));
+  };
+  static_assert(!requirements::FollowsPieces<SearchAfterBreaks::State<UnboundedDomain>>);
+  // With a second kick, velocities are no longer those of the forces when particles break.
+  compare(Model{}.integrator(VelocityVerlet{}).contact_law(SpringDashpot{}).splitter(dusty));
+  compare(Model{}.boundary(PeriodicCell{}));
+}
