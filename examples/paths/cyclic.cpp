@@ -12,6 +12,7 @@ namespace {
 
 constexpr double pressure = 4e6;
 constexpr double amplitude = 0.003;
+constexpr double strength = 60e6;  // a weak rock, of which some particles break
 constexpr auto variant = "cyclic";
 
 int cycles(const Options& o) { return o.quick ? 3 : 20; }
@@ -26,6 +27,7 @@ struct Cycle {
   double boundary_work = 0;      // of the ledger
   double dissipated = 0;         // of the ledger: slip, damping, breakage, what the law leaves
   double slip = 0;
+  double damping = 0;
   double broken = 0;  // what breakage took
 };
 
@@ -49,6 +51,7 @@ Cycle cycle_of(const Run& run, int number) {
   c.dissipated = change(
       [](const auto& e) { return e.slip + e.dashpot + e.damping + e.breakage + e.law_residual; });
   c.slip = change([](const auto& e) { return e.slip; });
+  c.damping = change([](const auto& e) { return e.damping; });
   c.broken = change([](const auto& e) { return e.breakage; });
   return c;
 }
@@ -57,19 +60,21 @@ struct Quantity {
   const char* name;
   double Cycle::*value;
 };
-constexpr std::array<Quantity, 8> quantities{{{"volumetric_strain", &Cycle::volumetric_strain},
+constexpr std::array<Quantity, 9> quantities{{{"volumetric_strain", &Cycle::volumetric_strain},
                                               {"breakages_in_the_cycle", &Cycle::breakages},
                                               {"loop_area_J_m3", &Cycle::area},
                                               {"stress_work_J_m3", &Cycle::work},
                                               {"boundary_work_J_m3", &Cycle::boundary_work},
                                               {"dissipated_J_m3", &Cycle::dissipated},
                                               {"slip_J_m3", &Cycle::slip},
+                                              {"damping_J_m3", &Cycle::damping},
                                               {"breakage_J_m3", &Cycle::broken}}};
 
 }  // namespace
 
 std::vector<PlannedRun> plan_cyclic(const Options& o) {
   PlannedRun run{.variant = variant, .pressure = pressure};
+  run.sample.strength = strength;
   run.stages = riprap::Preparation{}.stages(pressure);
   for (auto& stage : riprap::CyclicShear{.lower = -amplitude,
                      .upper = amplitude,
@@ -109,7 +114,8 @@ Findings find_cyclic(const Options& o, const std::vector<Run>& runs) {
                         spread_text(values(all[k], &Cycle::work), 1e-3) + ", boundary work " +
                         spread_text(values(all[k], &Cycle::boundary_work), 1e-3) + ", dissipated " +
                         spread_text(values(all[k], &Cycle::dissipated), 1e-3) +
-                        " kJ/m^3; volumetric strain " +
+                        " kJ/m^3; breakages " + spread_text(values(all[k], &Cycle::breakages)) +
+                        "; volumetric strain " +
                         spread_text(values(all[k], &Cycle::volumetric_strain), 100, "%"));
   }
 
@@ -150,6 +156,7 @@ Findings find_cyclic(const Options& o, const std::vector<Run>& runs) {
   energy.series.back().dashed = true;
   against_cycle(energy, "dissipated", orange, 1e-3, &Cycle::dissipated, true);
   against_cycle(energy, "by slip", grey, 1e-3, &Cycle::slip, true);
+  against_cycle(energy, "by damping", "#c0392b", 1e-3, &Cycle::damping, true);
   out.charts = {loops, volume, broken, energy};
   return out;
 }

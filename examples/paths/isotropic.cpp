@@ -20,7 +20,8 @@ namespace {
 
 using riprap::CompressionState;
 
-constexpr double first_pressure = 1e6;
+// Contacts this stiff jam at nearly as much.
+constexpr double first_pressure = 4e6;
 // Stiffer than usual: springs are compressed, too.
 constexpr double stiffness = 8e7;
 
@@ -29,23 +30,23 @@ struct Variant {
   double strength;  // of the rock [Pa]; 0: nothing breaks
   const char* colour;
 };
-constexpr std::array<Variant, 4> variants{{{"30 MPa", 30e6, orange},
-                                           {"60 MPa", 60e6, blue},
-                                           {"120 MPa", 120e6, green},
+constexpr std::array<Variant, 4> variants{{{"60 MPa", 60e6, orange},
+                                           {"120 MPa", 120e6, blue},
+                                           {"240 MPa", 240e6, green},
                                            {"unbreakable", 0, grey}}};
 constexpr auto unbreakable = variants.back().name;
 constexpr double broken_share = 0.05;  // breakages over particles at the stress of crushing
 
 // Steps of sqrt(2) up to the largest pressure, with a loop on the way, and down again.
 std::vector<double> pressures(const Options& o) {
-  const double turn = 8e6;
-  const double largest = o.quick ? 11.4e6 : 33e6;
+  const double turn = 16e6;
+  const double largest = o.quick ? 23e6 : 46e6;
   std::vector<double> all;
   const auto climb = [&](double from, double to) {
     for (double p = from * std::sqrt(2.0); p < to; p *= std::sqrt(2.0)) all.push_back(p);
   };
   climb(first_pressure, 1.01 * turn);
-  for (const double p : {4e6, 2e6, 4e6, turn}) all.push_back(p);
+  for (const double p : {8e6, 4e6, 8e6, turn}) all.push_back(p);
   climb(turn, largest);
   const double top = all.back();
   for (const double share : {0.5, 0.25, 0.125}) all.push_back(share * top);
@@ -59,7 +60,8 @@ struct States {
 };
 
 States states_of(const Run& run, const std::vector<double>& wanted) {
-  States states;
+  const riprap::CurvePoint& start = run.points.front();
+  States states{{{start.stress.mean(), riprap::void_ratio(start.porosity)}}};
   double largest = 0;
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     const riprap::CurvePoint p = stage_end(run.points, first_stage + k);
@@ -94,11 +96,23 @@ double slope_from(double stress, const std::vector<CompressionState>& states) {
                          : riprap::compression_line(part).slope;
 }
 
-// Mean stress at which so many particles have broken; not-a-number where they do not.
-double crushing_stress(const Run& run) {
-  const double wanted = broken_share * run.plan.sample.particles;
-  for (const riprap::CurvePoint& p : run.points)
-    if (static_cast<double>(p.breakages) >= wanted) return p.stress.mean();
+// Mean stress at which so many breakages were counted since the start, from the ends of the stages
+// of first loading, straight between them over its logarithm; not-a-number where they are not.
+double crushing_stress(const Run& run, const std::vector<double>& wanted) {
+  const double count = broken_share * run.plan.sample.particles;
+  riprap::CurvePoint before = run.points.front();
+  double largest = 0;
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    if (wanted[k] <= largest * (1 + 1e-9)) continue;
+    largest = wanted[k];
+    const riprap::CurvePoint p = stage_end(run.points, first_stage + k);
+    if (static_cast<double>(p.breakages) >= count) {
+      const auto low = static_cast<double>(before.breakages);
+      const double share = (count - low) / (static_cast<double>(p.breakages) - low);
+      return before.stress.mean() * std::pow(p.stress.mean() / before.stress.mean(), share);
+    }
+    before = p;
+  }
   return std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -107,7 +121,7 @@ struct Lines {
   std::vector<double> apparent{};  // where two lines of the void ratio meet [Pa]
   std::vector<double> yield{};     // where two lines of the part of crushing meet [Pa]
   std::vector<double> crushing{};  // where the share of particles has broken [Pa]
-  std::vector<double> lambda{};    // from the yield stress on
+  std::vector<double> lambda{};    // from there on
   std::vector<double> elastic{};   // of the unbreakable sample over the same stresses
   std::vector<double> kappa{};
   std::vector<double> hardin{};  // at the end
@@ -125,11 +139,11 @@ Lines lines_of(const std::vector<Run>& runs, const Variant& variant,
     lines.hardin.push_back(broken[k]->hardin.back());
     if (variant.strength == 0) continue;
     const States of_intact = states_of(*intact[k], wanted);
-    const double yield = riprap::compression_yield(crushing_part(states, of_intact)).stress;
-    lines.yield.push_back(yield);
-    lines.crushing.push_back(crushing_stress(*broken[k]));
-    lines.lambda.push_back(slope_from(yield, states.loading));
-    lines.elastic.push_back(slope_from(yield, of_intact.loading));
+    const double crushing = crushing_stress(*broken[k], wanted);
+    lines.yield.push_back(riprap::compression_yield(crushing_part(states, of_intact)).stress);
+    lines.crushing.push_back(crushing);
+    lines.lambda.push_back(slope_from(crushing, states.loading));
+    lines.elastic.push_back(slope_from(crushing, of_intact.loading));
   }
   return lines;
 }
@@ -157,7 +171,8 @@ void report(Findings& out, const Variant& variant, const Lines& lines, double to
 void add_points(riprap::Chart& chart, const std::string& name, double strength,
                 const std::vector<double>& stresses, const char* colour, riprap::Mark mark) {
   riprap::Series points{name, {}, colour, false, mark, false};
-  for (const double stress : stresses) points.points.push_back({in_mpa(strength), in_mpa(stress)});
+  for (const double stress : stresses)
+    if (std::isfinite(stress)) points.points.push_back({in_mpa(strength), in_mpa(stress)});
   chart.series.push_back(points);
 }
 
@@ -223,11 +238,11 @@ Findings find_isotropic(const Options& o, const std::vector<Run>& runs) {
       crushing.series.push_back(series);
     }
     const bool first = yield.series.empty();
-    add_points(yield, first ? "two lines" : "", v.strength, found.yield, blue,
+    add_points(yield, first ? "two lines, e" : "", v.strength, found.yield, blue,
                riprap::Mark::circle);
     add_points(yield, first ? "5 % breakages" : "", v.strength, found.crushing, orange,
                riprap::Mark::triangle);
-    if (v.strength == 60e6) proportional = proportional_to(v.strength, found.crushing);
+    if (v.strength == 120e6) proportional = proportional_to(v.strength, found.crushing);
   }
   yield.series.push_back(proportional);
   out.charts = {compression, crushing, yield, count};

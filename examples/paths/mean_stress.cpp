@@ -49,8 +49,8 @@ std::vector<PlannedRun> plan_mean_stress(const Options& o) {
     PlannedRun run{.variant = variant, .pressure = pressure};
     run.sample.breakage = variant == breakable;
     run.stages = riprap::Preparation{}.stages(pressure);
-    run.stages.push_back(
-        riprap::constant_mean_stress_shear(pressure, {.axial_strain = o.quick ? 0.02 : 0.2}));
+    run.stages.push_back(riprap::constant_mean_stress_shear(
+        pressure, {.axial_strain = o.quick ? 0.02 : 0.2, .inertial_number = 8e-4}));
     add_runs(runs, o, run);
   }
   return runs;

@@ -80,11 +80,15 @@ Json spread(const std::vector<double>& values) {
 std::string spread_text(const std::vector<double>& values, double factor, const std::string& unit) {
   const run_study::Statistics s = run_study::statistics_of(values);
   if (s.count == 0) return "none";
-  char text[80];
-  if (std::isfinite(s.half_interval))
-    std::snprintf(text, sizeof text, "%.3g +- %.2g", factor * s.mean, factor * s.half_interval);
-  else
-    std::snprintf(text, sizeof text, "%.3g", factor * s.mean);
+  // Three digits, without an exponent from a thousand on.
+  const auto digits = [factor](const char* format, double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, std::abs(factor * value) < 1000 ? format : "%.0f",
+                  factor * value);
+    return std::string(text);
+  };
+  std::string text = digits("%.3g", s.mean);
+  if (std::isfinite(s.half_interval)) text += " +- " + digits("%.2g", s.half_interval);
   std::string of;
   if (s.count < values.size())
     of = " (" + std::to_string(s.count) + " of " + std::to_string(values.size()) + ")";
