@@ -18,4 +18,7 @@ template <class Region, class Contacts>
   return 1 - (region.solid_area() - twice) / region.area();
 }
 
+/// Pores over solids [-], of a porosity below 1.
+[[nodiscard]] inline double void_ratio(double porosity) { return porosity / (1 - porosity); }
+
 }  // namespace riprap

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+// What the command line says of the tests.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "../command_line/option_names.hpp"
+
+namespace paths {
+
+struct Options {
+  std::string test;  // of a TestCase, or "all"; empty: they are to be listed
+  unsigned particles = 300;
+  unsigned samples = 3;    // of the seeds seed, seed + 1, ...
+  std::uint64_t seed = 1;  // of the first sample
+  bool quick = false;      // shorter paths
+  std::string out = "paths";
+  command_line::OptionNames names{};
+};
+
+// Exits for --help, --version and a command that is wrong.
+Options read_options(int argc, char** argv, const std::vector<std::string>& tests);
+
+}  // namespace paths

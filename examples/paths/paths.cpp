@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSL-1.0
+// paths: tests along the ready-made loading paths, isotropic to undrained, with curves and pictures
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include <riprap/core/version.hpp>
+#include <riprap/output/chart.hpp>
+#include <riprap/output/file.hpp>
+#include <riprap/particle/random_placement.hpp>
+
+#include "../command_line/program.hpp"
+#include "../command_line/stop_signal.hpp"
+#include "test_case.hpp"
+
+namespace paths {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Json stages_json(const Run& run) {
+  Json stages = Json::array();
+  for (std::size_t k = 0; k < run.stages.size(); ++k) {
+    const riprap::StageResult& stage = run.stages[k];
+    stages.push_back({{"name", run.plan.stages[k].name},
+                      {"steps", stage.steps},
+                      {"reached_target", stage.reached_target},
+                      {"mean_error", stage.mean_error},
+                      {"rms_error", stage.rms_error},
+                      {"wall_s", stage.wall_seconds}});
+  }
+  return stages;
+}
+
+Json run_json(const Run& run) {
+  Json j = {{"name", run.plan.name()},
+            {"seed", run.plan.sample.seed},
+            {"particles", run.plan.sample.particles},
+            {"compressive_strength_Pa", run.plan.sample.strength},
+            {"breakage", run.plan.sample.breakage},
+            {"contact_stiffness_N_m", run.plan.sample.stiffness},
+            {"pressure_Pa", run.plan.pressure},
+            {"breakages_before_loading", run.breakages_before},
+            {"breakages", nullptr},
+            {"energy_error", nullptr},
+            {"stages", stages_json(run)},
+            {"warnings", run.warnings}};
+  if (!run.points.empty()) {
+    j["breakages"] = run.points.back().breakages;
+    j["energy_error"] = run.points.back().energy_error();
+  }
+  return j;
+}
+
+// Runs of an earlier command with other variants or seeds go.
+void empty_folder(const fs::path& folder) {
+  riprap::make_folder(folder.string());
+  fs::remove_all(folder / "runs");
+  for (const char* name : {"summary.json", "curves.svg"}) fs::remove(folder / name);
+}
+
+// False: a signal ended it.
+bool run_case(const TestCase& test, const Options& o) {
+  const std::vector<PlannedRun> plan = test.plan(o);
+  const fs::path folder = fs::path(o.out) / test.name;
+  empty_folder(folder);
+  std::vector<Run> runs;
+  for (const PlannedRun& planned : plan) {
+    const fs::path run_folder = folder / "runs" / planned.name();
+    riprap::make_folder(run_folder.string());
+    runs.push_back(run_path(planned, run_folder, {runs.size(), plan.size()}));
+    if (runs.back().interrupted) return false;
+  }
+
+  const Findings findings = test.find(o, runs);
+  riprap::chart_sheet(findings.charts).save((folder / "curves.svg").string());
+  Json all = Json::array();
+  for (const Run& run : runs) all.push_back(run_json(run));
+  const Json summary = {{"riprap", riprap::version},
+                        {"test", test.name},
+                        {"samples", o.samples},
+                        {"first_seed", o.seed},
+                        {"quick", o.quick},
+                        {"found", findings.numbers},
+                        {"runs", all}};
+  riprap::write_file((folder / "summary.json").string(), summary.dump(2) + "\n");
+  std::printf("%s\n", test.what);
+  for (const std::string& line : findings.lines) std::printf("  %s\n", line.c_str());
+  std::size_t warnings = 0;
+  for (const Run& run : runs) warnings += run.warnings.size();
+  std::printf("curves.svg, summary.json (%zu warnings) and a folder for each run in %s\n", warnings,
+              folder.string().c_str());
+  return true;
+}
+
+int run_chosen(const Options& o) {
+  if (o.test.empty()) {
+    for (const TestCase& test : test_cases) std::printf("  %-12s %s\n", test.name, test.what);
+    std::printf("  %-12s all of them, one after the other\n", "all");
+    return command_line::finished;
+  }
+  // Before a folder is made.
+  riprap::RandomAssembly{.count = o.particles, .seed = o.seed}.validate();
+  command_line::note_signals();
+  for (const TestCase& test : test_cases)
+    if ((o.test == test.name || o.test == "all") && !run_case(test, o)) {
+      std::fprintf(stderr, "interrupted; the curves until then are in %s\n", o.out.c_str());
+      return command_line::failed;
+    }
+  return command_line::finished;
+}
+
+}  // namespace
+
+}  // namespace paths
+
+int main(int argc, char** argv) {
+  std::vector<std::string> names;
+  for (const paths::TestCase& test : paths::test_cases) names.push_back(test.name);
+  const paths::Options options = paths::read_options(argc, argv, names);
+  return command_line::run_program(options.names, [&] { return paths::run_chosen(options); });
+}

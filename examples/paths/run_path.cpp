@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSL-1.0
+// The only source that knows the type of the simulation.
+
+#include "run_path.hpp"
+
+#include <chrono>
+#include <cstdio>
+
+#include <riprap/experiment/loading_path.hpp>
+#include <riprap/experiment/validity_check.hpp>
+#include <riprap/measurement/breakage_indices.hpp>
+#include <riprap/measurement/grading.hpp>
+#include <riprap/output/assembly_picture.hpp>
+#include <riprap/output/curve_files.hpp>
+#include <riprap/particle/random_assembly.hpp>
+#include <riprap/simulation/simulation.hpp>
+
+#if __has_include(<unistd.h>)
+#include <unistd.h>
+#endif
+
+#include "../command_line/stop_signal.hpp"
+
+namespace paths {
+
+namespace {
+
+// An observer that measures what the curve does not.
+struct Measures {
+  Run& run;
+
+  template <class Sim>
+  void begin_stage(const riprap::LoadingView<Sim>& view) {
+    if (view.stage != riprap::Stage::loading || view.loading_stage > 0) return;
+    const auto region = view.sim.boundary().region(view.sim.particles());
+    run.area = region.area();
+    run.solid_area = region.solid_area();
+    run.thickness = view.sim.particles().thickness();
+  }
+  template <class Sim>
+  void record(const riprap::LoadingView<Sim>& view) {
+    const riprap::Particles& particles = view.sim.particles();
+    run.hardin.push_back(riprap::hardin_breakage(riprap::grading_before_breakage(particles),
+                                                 riprap::grading(particles)));
+  }
+};
+
+// An observer that says how far all runs are, and ends the run on a signal.
+class Watch {
+ public:
+  Watch(std::string name, const Turn& turn, std::size_t stages)
+      : name_(std::move(name)), turn_(turn), stages_(stages) {}
+
+  template <class Sim>
+  void progress(const riprap::LoadingView<Sim>& view) {
+    const auto now = Clock::now();
+    if (seconds(last_, now) < (in_place() ? 0.25 : 10)) return;
+    last_ = now;
+    const double share =
+        (static_cast<double>(view.stage_index) + view.done) / static_cast<double>(stages_);
+    print(view.name(), share, view.sim.breaks().size());
+  }
+  template <class Sim>
+  [[nodiscard]] bool stop_requested(const riprap::LoadingView<Sim>& /*view*/) const {
+    return command_line::stop_signal != 0;
+  }
+  void end(std::size_t breakages) const {
+    print("done", 1, breakages);
+    if (in_place()) std::fputc('\n', stderr);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  [[nodiscard]] static double seconds(Clock::time_point from, Clock::time_point to) {
+    return std::chrono::duration<double>(to - from).count();
+  }
+  [[nodiscard]] static bool in_place() {
+#if __has_include(<unistd.h>)
+    return isatty(fileno(stderr)) != 0;
+#else
+    return false;
+#endif
+  }
+
+  void print(std::string_view stage, double share, std::size_t breakages) const {
+    const double elapsed = seconds(begun(), Clock::now());
+    const double done =
+        (static_cast<double>(turn_.number) + share) / static_cast<double>(turn_.count);
+    char text[200];
+    std::snprintf(text, sizeof text, "run %zu of %zu, %s: %.*s, %zu breakages, %.0f s, %.0f s left",
+                  turn_.number + 1, turn_.count, name_.c_str(), static_cast<int>(stage.size()),
+                  stage.data(), breakages, elapsed, done > 0 ? elapsed * (1 - done) / done : 0);
+    std::fprintf(stderr, in_place() ? "\r%-100s" : "%s\n", text);
+    std::fflush(stderr);
+  }
+
+  // Of the first run of the program.
+  [[nodiscard]] static Clock::time_point begun() {
+    static const Clock::time_point start = Clock::now();
+    return start;
+  }
+
+  std::string name_;
+  Turn turn_;
+  std::size_t stages_;
+  Clock::time_point last_ = begun();
+};
+
+std::string hardin_csv(const Run& run) {
+  std::string text = "stage,axial_strain,hardin_b_r\n";
+  for (std::size_t i = 0; i < run.points.size(); ++i)
+    text += std::to_string(run.points[i].stage_index) + "," +
+            riprap::to_text(run.points[i].axial_strain) + "," + riprap::to_text(run.hardin[i]) +
+            "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string PlannedRun::name() const {
+  std::string text = variant + "_seed_" + std::to_string(sample.seed);
+  for (char& c : text)
+    if (c == ' ' || c == ',') c = '_';
+  return text;
+}
+
+Run run_path(const PlannedRun& plan, const std::filesystem::path& folder, const Turn& turn) {
+  using namespace riprap;
+  const Sample& s = plan.sample;
+  Simulation sim{Model{}
+                     .contact_law(EnergyConservingSpring{.normal_stiffness = s.stiffness,
+                                                         .tangential_stiffness = s.stiffness})
+                     .criterion(HoekBrown{.compressive_strength = s.strength}),
+                 random_assembly({.count = s.particles, .seed = s.seed}), Rock{}};
+  sim.set_breakage(s.breakage);
+
+  Run run{.plan = plan};
+  Curve curve;
+  CurveFiles tables{curve, folder};
+  Measures measures{run};
+  ValidityCheck check;
+  Watch watch{plan.name(), turn, plan.stages.size()};
+  const LoadingPath<> path{.confining_pressure = plan.pressure, .stages = plan.stages};
+  const PathResult result = path.run(sim, curve, tables, measures, check, watch);
+  watch.end(sim.breaks().size());
+
+  run.points = curve.points();
+  run.breakages_before = curve.breakages_before_shear();
+  run.stages = result.stages;
+  run.warnings = check.warnings();
+  run.interrupted = result.interrupted;
+  write_file((folder / "hardin.csv").string(), hardin_csv(run));
+  if (!plan.picture.empty())
+    assembly_picture(sim.particles(), s.breakage ? sim.failed_ratios() : std::vector<double>{},
+                     plan.picture)
+        .save((folder / "assembly.svg").string());
+  return run;
+}
+
+}  // namespace paths

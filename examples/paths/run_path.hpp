@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+// One sample along one loading path.
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <riprap/experiment/curve.hpp>
+#include <riprap/experiment/loading_stage.hpp>
+#include <riprap/experiment/path_result.hpp>
+
+namespace paths {
+
+struct Sample {
+  unsigned particles = 300;
+  std::uint64_t seed = 1;
+  double strength = 300e6;  // uniaxial compressive strength of the rock [Pa]
+  double stiffness = 2e7;   // of a contact, normal and tangential [N/m]
+  bool breakage = true;
+};
+
+// A run that is to be made.
+struct PlannedRun {
+  std::string variant;  // the same for all samples
+  Sample sample{};
+  double pressure = 2e6;  // of the preparation and of rates by inertial number [Pa]
+  std::vector<riprap::LoadingStage<>> stages{};
+  std::string picture{};  // title of a picture of the sample at the end; empty: none
+
+  // Of its folder.
+  [[nodiscard]] std::string name() const;
+};
+
+// What a run leaves.
+struct Run {
+  PlannedRun plan;
+  std::vector<riprap::CurvePoint> points{};  // of the curve
+  std::vector<double> hardin{};              // B_r at each of them [-]
+  double solid_area = 0;                     // inside the boundary at the start of loading [m^2]
+  double area = 0;                           // of the sample at the start of loading [m^2]
+  double thickness = 0;                      // [m]
+  std::size_t breakages_before = 0;          // in preparation
+  std::vector<riprap::StageResult> stages{};
+  std::vector<std::string> warnings{};
+  bool interrupted = false;
+};
+
+// Which of how many runs, for the line of progress.
+struct Turn {
+  std::size_t number = 0;
+  std::size_t count = 1;
+};
+
+// Makes the run; its tables grow in `folder`, which exists.
+Run run_path(const PlannedRun& plan, const std::filesystem::path& folder, const Turn& turn);
+
+}  // namespace paths
