@@ -80,6 +80,16 @@ struct Sums {
   }
 };
 
+// All particles where their copies in the cell are: positions are never wrapped.
+Particles in_cell(Particles particles, const PeriodicDomain& domain) {
+  for (BodyIndex i = 0; i < particles.size(); ++i) {
+    Vec2& position = particles.body(i).position;
+    position += domain.offset(-domain.cell_of(position));
+    particles.update_ring(i);
+  }
+  return particles;
+}
+
 LoadingPath<> shear_path(const Options& o, const CellTest& test, std::uint64_t steps) {
   LoadingStage<> stage{.name = "shear", .end = StepsMade{.steps = steps}};
   if (!test.constant_volume)
@@ -167,7 +177,7 @@ CellResult sheared_cell(const Options& o, const CellTest& test,
   }
   result.profile = profile.points();
   result.picture =
-      assembly_picture(sim.particles(), {},
+      assembly_picture(in_cell(sim.particles(), domain), {},
                        "Sheared cell at " + stress_text(test.normal_stress) +
                            " after a shear strain of " + to_text(std::round(100 * o.shear) / 100));
   return result;
