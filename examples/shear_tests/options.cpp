@@ -45,6 +45,10 @@ void Options::validate() const {
   riprap::require_positive("--shear", shear);
   riprap::require_positive("--inertial-number", inertial_number);
   assembly.validate();
+  rock.validate();
+  contact.validate();
+  damping.validate();
+  criterion.validate();
 }
 
 void add_options(command_line::OptionTable& table, Options& o, const std::string& shear) {
