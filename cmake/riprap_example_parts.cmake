@@ -60,4 +60,8 @@ if(TARGET nlohmann_json::nlohmann_json AND TARGET CLI11::CLI11)
     RIPRAP_STUDY_TABLES="${PROJECT_SOURCE_DIR}/examples/study/tables")
   riprap_example_part(riprap_single_particle
     LIBRARIES riprap_command_line SOURCES single_particle/options.cpp single_particle/analysis.cpp)
+  # What the examples of shear tests have in common, and what tests check of each.
+  riprap_example_part(riprap_shear_tests LIBRARIES riprap_command_line riprap_run_table
+    SOURCES shear_tests/options.cpp shear_tests/progress_line.cpp shear_tests/results.cpp
+            shear_tests/cell_results.cpp study/statistics.cpp direct_shear/shear_box.cpp direct_shear/features.cpp)
 endif()

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "cell_results.hpp"
+
+#include <utility>
+
+#include <riprap/output/csv.hpp>
+
+namespace shear_tests {
+
+std::string table(const std::vector<CellSeries>& all) {
+  using Row = std::pair<const CellResult*, const CellRecord*>;
+  using riprap::to_text;
+  const riprap::CsvColumns<Row> columns{
+      {"normal_stress", [](const Row& r) { return to_text(r.first->test.normal_stress); }},
+      {"inertial_number", [](const Row& r) { return to_text(r.first->test.inertial_number); }},
+      {"seed", [](const Row& r) { return std::to_string(r.first->test.seed); }},
+      {"shear_strain", [](const Row& r) { return to_text(r.second->strain); }},
+      {"stress_11", [](const Row& r) { return to_text(r.second->stress.s11); }},
+      {"stress_22", [](const Row& r) { return to_text(r.second->stress.s22); }},
+      {"stress_12", [](const Row& r) { return to_text(r.second->stress.s12); }},
+      {"asymmetry", [](const Row& r) { return to_text(r.second->asymmetry); }},
+      {"rise", [](const Row& r) { return to_text(r.second->rise); }},
+      {"work", [](const Row& r) { return to_text(r.second->work); }},
+      {"work_of_stress", [](const Row& r) { return to_text(r.second->stress_work); }},
+      {"breakages", [](const Row& r) { return std::to_string(r.second->breakages); }},
+      {"particles", [](const Row& r) { return std::to_string(r.second->particles); }},
+      {"broken", [](const Row& r) { return to_text(r.second->broken); }},
+      {"detached", [](const Row& r) { return to_text(r.second->detached); }}};
+  std::vector<Row> rows;
+  for (const CellSeries& s : all)
+    for (const CellResult& r : s.results)
+      for (const CellRecord& rec : r.records) rows.emplace_back(&r, &rec);
+  return riprap::csv_text(columns, rows);
+}
+
+Json options_json(const Options& o) {
+  return {{"particles", o.assembly.count},
+          {"first_seed", o.assembly.seed},
+          {"samples", o.samples},
+          {"friction", o.contact.friction},
+          {"compressive_strength_Pa", o.criterion.compressive_strength},
+          {"breakage", o.breakage},
+          {"damping", o.damping.coefficient},
+          {"shear_strain", o.shear},
+          {"normal_stresses_Pa", o.normal_stresses}};
+}
+
+}  // namespace shear_tests
