@@ -238,7 +238,7 @@ Findings find_isotropic(const Options& o, const std::vector<Run>& runs) {
       crushing.series.push_back(series);
     }
     const bool first = yield.series.empty();
-    add_points(yield, first ? "two lines, e" : "", v.strength, found.yield, blue,
+    add_points(yield, first ? "two lines, lost e" : "", v.strength, found.yield, blue,
                riprap::Mark::circle);
     add_points(yield, first ? "5 % breakages" : "", v.strength, found.crushing, orange,
                riprap::Mark::triangle);
