@@ -4,6 +4,7 @@
 /// Points of a sample by which two of its states are compared.
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <riprap/core/vec2.hpp>
@@ -34,33 +35,40 @@ struct MaterialPoint {
   return out;
 }
 
-/// The same with one point for all pieces of an intact particle, by its id (`root`): their common
-/// centroid, which does not jump when the particle breaks, but by what becomes dust.
-[[nodiscard]] inline std::vector<MaterialPoint> root_centroids(const Particles& particles) {
-  std::vector<BodyIndex> order;
-  for (BodyIndex i = 0; i < particles.size(); ++i)
-    if (!particles.body(i).is_wall()) order.push_back(i);
-  std::sort(order.begin(), order.end(), [&](BodyIndex i, BodyIndex j) {
-    const Ancestry& a = particles.ancestry(i);
-    const Ancestry& b = particles.ancestry(j);
-    return a.root != b.root ? a.root < b.root : a.id < b.id;
-  });
+/// A part of a material point.
+struct PointPart {
+  MaterialPoint point;
+  double area = 0;  ///< [m^2]
+};
+
+/// One point for all parts of one id, in rising order: their mean, weighted by area.
+[[nodiscard]] inline std::vector<MaterialPoint> joined_points(std::vector<PointPart> parts) {
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const PointPart& p, const PointPart& q) { return p.point.id < q.point.id; });
   std::vector<MaterialPoint> out;
-  double area = 0;  // of the pieces so far
-  for (const BodyIndex i : order) {
-    const ParticleId root = particles.ancestry(i).root;
-    const double piece = particles.shape(i).area;
-    const Vec2& position = particles.body(i).position;
-    if (out.empty() || out.back().id != root) {
-      out.push_back({root, position});
-      area = piece;
+  double area = 0;  // of the parts so far
+  for (const auto& [point, part_area] : parts) {
+    if (out.empty() || out.back().id != point.id) {
+      out.push_back(point);
+      area = part_area;
       continue;
     }
-    area += piece;
+    area += part_area;
     Vec2& mean = out.back().position;
-    mean += (piece / area) * (position - mean);
+    mean += (part_area / area) * (point.position - mean);
   }
   return out;
+}
+
+/// The same as centroids() with one point for all pieces of an intact particle, by its id (`root`):
+/// their common centroid, which does not jump when the particle breaks, but by what becomes dust.
+[[nodiscard]] inline std::vector<MaterialPoint> root_centroids(const Particles& particles) {
+  std::vector<PointPart> parts;
+  for (BodyIndex i = 0; i < particles.size(); ++i)
+    if (!particles.body(i).is_wall())
+      parts.push_back(
+          {{particles.ancestry(i).root, particles.body(i).position}, particles.shape(i).area});
+  return joined_points(std::move(parts));
 }
 
 }  // namespace riprap
