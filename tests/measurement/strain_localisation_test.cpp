@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -15,27 +16,32 @@ using namespace riprap::test;
 
 namespace {
 
-/// Simple shear of a size in a triangle.
-StrainTriangle triangle(const Vec2& a, const Vec2& b, const Vec2& c, double strain) {
-  StrainTriangle t;
-  t.corners = {a, b, c};
-  t.gradient.h12 = strain;
-  return t;
-}
-
 /// Adds a grid of columns by rows of rectangles, two triangles each, over length by width about the
 /// origin of axes turned by `angle` and shifted.
 void add_strip(std::vector<StrainTriangle>& out, double length, double width, int columns, int rows,
                double angle, const Vec2& shift, double strain) {
   const Rotation turn = Rotation::from_angle(angle);
+  // Ids of its own: strips have no more than twice as many corners as triangles.
+  const std::size_t first = 2 * out.size();
   const auto at = [&](int i, int j) -> Vec2 {
     return shift + turn * Vec2{length * (i / static_cast<double>(columns) - 0.5),
                                width * (j / static_cast<double>(rows) - 0.5)};
   };
+  using Node = std::array<int, 2>;
+  const auto add = [&](const std::array<Node, 3>& nodes) {
+    StrainTriangle t;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [i, j] = nodes[k];
+      t.ids[k] = static_cast<ParticleId>(first + static_cast<std::size_t>(i * (rows + 1) + j));
+      t.corners[k] = at(i, j);
+    }
+    t.gradient.h12 = strain;  // simple shear
+    out.push_back(t);
+  };
   for (int i = 0; i < columns; ++i)
     for (int j = 0; j < rows; ++j) {
-      out.push_back(triangle(at(i, j), at(i + 1, j), at(i + 1, j + 1), strain));
-      out.push_back(triangle(at(i, j), at(i + 1, j + 1), at(i, j + 1), strain));
+      add({Node{i, j}, Node{i + 1, j}, Node{i + 1, j + 1}});
+      add({Node{i, j}, Node{i + 1, j + 1}, Node{i, j + 1}});
     }
 }
 
@@ -50,6 +56,7 @@ TEST_CASE("a strip with all of the strain is the band, with its direction, lengt
     add_strip(field, 1.2, 0.9, 12, 9, angle, Vec2{3, -2} + Vec2{10, 0}, 0);
     const StrainLocalisation band = strain_localisation(field);
     CHECK(band.strain_share == near(1, 1e-12));
+    CHECK(band.band_share == near(1, 1e-12));
     CHECK(band.participation_ratio == near(0.1, 1e-12));
     CHECK(std::abs(std::sin(band.direction - angle)) == near(0, 1e-12));
     CHECK(band.elongation == near(12, 1e-9));
@@ -77,12 +84,31 @@ TEST_CASE("the last triangle counts in part, and larger strains pull the band to
   add_strip(field, 1, 1, 1, 1, 0, {4, 0}, 1);
   // The first square and a quarter of the area, half of the second one: 3 + 0.5 of 4.
   CHECK(strain_localisation(field, 0.75).strain_share == near(3.5 / 4, 1e-14));
+  CHECK(strain_localisation(field, 1).participation_ratio == near(16.0 / (2 * 10), 1e-14));
+  // The same as one strip of two squares.
+  field.clear();
+  add_strip(field, 2, 1, 2, 1, 0, {0, 0}, 3);
+  for (std::size_t n = 2; n < 4; ++n) field[n].gradient.h12 = 1;
   const StrainLocalisation whole = strain_localisation(field, 1);
-  CHECK(whole.participation_ratio == near(16.0 / (2 * 10), 1e-14));
-  CHECK(whole.centre.x() == near(1, 1e-14));
-  // Along axis 1: 1/12 + (3 * 1^2 + 1 * 3^2) / 4; across it 1/12.
-  CHECK(whole.elongation == near(std::sqrt((1.0 / 12 + 3) * 12), 1e-12));
+  CHECK(whole.centre.x() == near(-0.25, 1e-14));
+  // Along axis 1: 1/12 + (3 * 0.25^2 + 1 * 0.75^2) / 4; across it 1/12.
+  CHECK(whole.elongation == near(std::sqrt((1.0 / 12 + 0.1875) * 12), 1e-12));
   CHECK(whole.direction == near(0, 1e-14));
+}
+
+TEST_CASE("of several parts of large strain the band is the one with most of it") {
+  const double angle = 0.8;
+  std::vector<StrainTriangle> field;
+  add_strip(field, 1, 0.1, 10, 1, -0.3, {4, 4}, 0.5);
+  add_strip(field, 1.5, 0.1, 15, 1, angle, {0, 0}, 0.4);
+  add_strip(field, 1, 0.1, 10, 1, 0, {-4, 2}, 0.5);
+  add_strip(field, 3.5, 0.9, 35, 9, 0, {9, 9}, 0);
+  const StrainLocalisation band = strain_localisation(field);  // a tenth: all three strips
+  CHECK(band.strain_share == near(1, 1e-12));
+  CHECK(band.band_share == near(0.06 / (0.05 + 0.06 + 0.05), 1e-12));
+  CHECK(band.direction == near(angle, 1e-12));
+  CHECK(band.elongation == near(15, 1e-9));
+  CHECK(band.thickness == near(0.1, 1e-11));
 }
 
 TEST_CASE("a band in a field with less strain around it is found to the width of a triangle") {

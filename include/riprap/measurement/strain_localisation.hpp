@@ -20,12 +20,15 @@ struct StrainLocalisation {
   /// Of sum A g, in the triangles of largest g that make up `area_share` of the area [-]; the last
   /// triangle counts in part. Equal to area_share where all have the same strain.
   double strain_share = 0;
-  // The principal axes of the second moment of the area of those triangles, weighted by g, about
-  // its centroid: the band.
+  /// Of sum A g, in the band [-]: the largest connected part of those triangles, by A g; triangles
+  /// with a common corner are connected.
+  double band_share = 0;
+  // The principal axes of the second moment of the area of the band, weighted by g, about its
+  // centroid.
   Vec2 centre{0, 0};     ///< [m]
   double direction = 0;  ///< of the major axis, from axis 1 [rad], in (-pi/2, pi/2]
   /// Square root of the ratio of the principal moments [-], >= 1: length over thickness of an even
-  /// band. Near 1 there is no band, or several that cross, and the direction says nothing.
+  /// band. Near 1 it is no band, or several that cross, and the direction says nothing.
   double elongation = 1;
   double thickness = 0;  ///< sqrt(12 times the minor moment), of an even straight band [m]
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -30,6 +31,32 @@ parts_of_most_strained(std::span<const StrainTriangle> triangles,
     area -= triangles[n].area();
   }
   return parts;
+}
+
+/// The weights of the connected part with the largest sum, and 0 for all others.
+[[nodiscard]] inline std::vector<double>
+largest_connected_part(std::span<const StrainTriangle> triangles,
+                       const std::vector<double>& weights) {
+  std::vector<std::size_t> leader(triangles.size());
+  std::iota(leader.begin(), leader.end(), std::size_t{0});
+  const auto leader_of = [&](std::size_t n) {
+    while (leader[n] != n) n = leader[n] = leader[leader[n]];
+    return n;
+  };
+  std::map<ParticleId, std::size_t> at_corner;
+  for (std::size_t n = 0; n < triangles.size(); ++n) {
+    if (weights[n] == 0) continue;
+    for (const ParticleId id : triangles[n].ids)
+      leader[leader_of(at_corner.try_emplace(id, n).first->second)] = leader_of(n);
+  }
+  std::vector<double> sums(triangles.size(), 0);
+  for (std::size_t n = 0; n < triangles.size(); ++n) sums[leader_of(n)] += weights[n];
+  const auto largest =
+      static_cast<std::size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
+  std::vector<double> out(triangles.size(), 0);
+  for (std::size_t n = 0; n < triangles.size(); ++n)
+    if (leader_of(n) == largest) out[n] = weights[n];
+  return out;
 }
 
 /// Second moments of the triangles with weights, about their common centroid; fills the band.
@@ -87,7 +114,9 @@ RIPRAP_INLINE StrainLocalisation strain_localisation(std::span<const StrainTrian
     weights[n] *= triangles[n].area() * strains[n];
     out.strain_share += weights[n] / sum;
   }
-  internal::set_band(out, triangles, weights);
+  const std::vector<double> band = internal::largest_connected_part(triangles, weights);
+  for (const double weight : band) out.band_share += weight / sum;
+  internal::set_band(out, triangles, band);
   return out;
 }
 
