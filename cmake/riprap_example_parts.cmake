@@ -35,7 +35,8 @@ if(TARGET nlohmann_json::nlohmann_json)
   riprap_example_part(riprap_paper LIBRARIES riprap_run_table nlohmann_json::nlohmann_json SOURCES ${sources})
   # What makes the page of a replay.
   riprap_example_part(riprap_replay LIBRARIES nlohmann_json::nlohmann_json
-    SOURCES replay/recorded_run.cpp replay/pack.cpp replay/page.cpp)
+    SOURCES replay/recorded_run.cpp replay/frame_measures.cpp replay/pack.cpp
+            replay/page.cpp)
   include(${PROJECT_SOURCE_DIR}/examples/replay/page_parts.cmake)
   target_sources(riprap_replay PRIVATE ${page_parts})
 endif()

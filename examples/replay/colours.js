@@ -17,6 +17,7 @@ function between(colours, t) {
 const palettes = {
   light: {
     rat: ["#e3dfd6", "#efcd7b", "#dc7c30", "#a31c1c"],
+    strain: ["#e9e4d8", "#d9c27a", "#c9713f", "#8f2d56", "#3d1a4f"],
     speed: ["#e3dfd6", "#9cc7bb", "#37868b", "#163f5e"],
     turn: ["#1f5f98", "#8bb2d0", "#e6e2da", "#dfa184", "#a83f22"],
     generation: ["#dedad1", "#a9c6d9", "#6e9fc4", "#3f76a8", "#27507f", "#152f52"],
@@ -26,6 +27,7 @@ const palettes = {
   },
   dark: {
     rat: ["#4a4c4f", "#9c7b3b", "#e0752f", "#ff4f3d"],
+    strain: ["#3c3f43", "#5b4a78", "#b0487a", "#f08a5a", "#fbe6a2"],
     speed: ["#3c3f43", "#2c6f78", "#6fc0b0", "#f1f6cf"],
     turn: ["#62b0f2", "#3f6f96", "#4a4c4f", "#9a5a40", "#ff8a5e"],
     generation: ["#4a4c4f", "#2f5775", "#3f7ba3", "#58a2cf", "#86c5ea", "#c9e8fb"],
@@ -64,6 +66,7 @@ const once = (find) => { let value; return () => value ??= find(); };
 const turnOf = (state, k) => state.angle(k) - angleBefore(state.ids[k], state.f);
 const mostTurn = once(() => roundUp(quantile(0.97, (s, k) => Math.abs(turnOf(s, k))) * 180 / Math.PI));
 const mostSpeed = once(() => roundUp(quantile(0.99, (s, k) => s.speed(k))));
+const mostStrain = once(() => roundUp(quantile(0.98, (s, k) => s.strain(k))));
 const mostRat = () => run.ratf && run.ratf <= 1 ? run.ratf : 1;
 
 const colourModes = [
@@ -95,6 +98,12 @@ const colourModes = [
     legend: () => bar("turn", [`−${digits(mostTurn())}`, "0", `${digits(mostTurn())} anticlockwise`]),
   },
   {
+    key: "strain", name: "Local strain", title: "Local deviatoric strain in shear [%]",
+    colours: () => scaleColours("strain"),
+    bin: (s, k) => step(s.strain(k) / mostStrain()),
+    legend: () => bar("strain", [0, 0.5, 1].map((n) => digits(100 * n * mostStrain()))),
+  },
+  {
     key: "speed", name: "Speed", title: "Speed [m/s], logarithmic",
     colours: () => scaleColours("speed"),
     bin: (s, k) => step(1 + Math.log10(s.speed(k) / mostSpeed()) / 2),
@@ -105,6 +114,12 @@ const colourModes = [
     colours: () => palette().contacts,
     bin: (s, k) => Math.min(s.neighbours[k], palette().contacts.length - 1),
     legend: () => keys(palette().contacts.map((c, n, all) => [c, n + 1 === all.length ? `${n}+` : `${n}`])),
+  },
+  {
+    key: "rattlers", name: "Rattlers", title: "Rattlers: particles that carry no load",
+    colours: () => [palette().generation[0], palette().family[0]],
+    bin: (s, k) => s.rattler(k),
+    legend: () => keys([[palette().generation[0], "carries load"], [palette().family[0], "rattler"]]),
   },
 ];
 

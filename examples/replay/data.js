@@ -63,6 +63,8 @@ function makeState(f) {
     spin: (k) => arrays.spin[p + k] * frame.spin / 32767,
     speed: (k) => Math.hypot(arrays.vx[p + k], arrays.vy[p + k]) * frame.speed / 32767,
     rat: (k) => arrays.rat[p + k] / 65535,
+    strain: (k) => arrays.strain[p + k] * frame.deviatoric / 65535,
+    rattler: (k) => arrays.rattler[p + k],
     a: (i) => arrays.contactA[c + i],
     b: (i) => arrays.contactB[c + i],
     px: (i) => unpackX(arrays.contactX[c + i]),

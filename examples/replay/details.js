@@ -19,6 +19,7 @@ function particleNow(state, id) {
     row("Speed", withUnit(state.speed(k), "m/s")) + row("Spin", withUnit(state.spin(k), "rad/s")) +
     row("Rat", digits(state.rat(k))) + row("Contacts", state.neighbours[k]) +
     row("Rotation", digits(turnOf(state, k) * 180 / Math.PI) + "°") + row("Max. force", withUnit(largestForce(state, k), "N")) +
+    row("Strain", percent(state.strain(k))) + row("Carries load", state.rattler(k) ? "no: rattler" : "yes") +
     `</dl>`;
 }
 function largestForce(state, k) {

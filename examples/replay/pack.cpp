@@ -12,6 +12,8 @@
 #include <riprap/core/version.hpp>
 #include <riprap/experiment/stage.hpp>
 
+#include "frame_measures.hpp"
+
 namespace replay {
 
 namespace {
@@ -65,7 +67,8 @@ double largest(const std::vector<double>& values) {
 struct Columns {
   std::vector<std::uint16_t> x{}, y{};
   std::vector<std::int16_t> angle{}, vx{}, vy{}, spin{};
-  std::vector<std::uint16_t> rat{};
+  std::vector<std::uint16_t> rat{}, strain{};
+  std::vector<std::uint8_t> rattler{};
   std::vector<std::uint16_t> a{}, b{}, px{}, py{}, normal{};
   std::vector<std::int16_t> tangential{};
 };
@@ -73,8 +76,9 @@ struct Columns {
 // Of one frame after the other, particles in the order of their ids.
 class FramePacker {
  public:
-  FramePacker(const Box& box, std::size_t particles)
-      : box_(box), turn_(particles, 0), angle_(particles, 0), place_(particles, 0) {}
+  FramePacker(const Box& box, const RecordedRun& run)
+      : box_(box), measures_(run), turn_(run.particles.size(), 0), angle_(run.particles.size(), 0),
+        place_(run.particles.size(), 0) {}
 
   Json add(const ReadRecord& f) {
     const auto& id = f["id"];
@@ -83,6 +87,8 @@ class FramePacker {
     const double speed = std::max(largest(f["vx"]), largest(f["vy"]));
     const double spin = largest(f["spin"]);
     const double force = std::max(largest(f["normal"]), largest(f["tangential"]));
+    const std::vector<double> strains = measures_.deviatoric_strains(f);
+    const double deviatoric = largest(strains);
     Json j = {{"step", f.number("step")},
               {"time", f.number("time")},
               {"stage", f.number("stage")},
@@ -94,21 +100,31 @@ class FramePacker {
               {"contacts", f["a"].size()},
               {"speed", speed},
               {"spin", spin},
-              {"force", force}};
+              {"force", force},
+              {"meanForce", mean_normal_force(f)},
+              {"deviatoric", deviatoric}};
     if (f.has("cell")) j["cell"] = f["cell"];
     add_particles(f, speed, spin);
+    add_measures(f, strains, deviatoric);
     add_contacts(f, force);
     return j;
   }
   [[nodiscard]] const Columns& columns() const { return c_; }
 
  private:
-  void add_particles(const ReadRecord& f, double speed, double spin) {
+  // Places in a frame by rising id.
+  static std::vector<std::size_t> order_of(const ReadRecord& f) {
     const auto& id = f["id"];
     std::vector<std::size_t> order(id.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(),
               [&](std::size_t k, std::size_t l) { return id[k] < id[l]; });
+    return order;
+  }
+
+  void add_particles(const ReadRecord& f, double speed, double spin) {
+    const auto& id = f["id"];
+    const std::vector<std::size_t> order = order_of(f);
     for (std::size_t n = 0; n < order.size(); ++n) {
       const std::size_t k = order[n];
       const auto particle = static_cast<std::size_t>(id[k]);
@@ -120,6 +136,14 @@ class FramePacker {
       c_.vy.push_back(quantised<std::int16_t>(f["vy"][k], speed));
       c_.spin.push_back(quantised<std::int16_t>(f["spin"][k], spin));
       c_.rat.push_back(quantised<std::uint16_t>(f["rat"][k], 1));
+    }
+  }
+
+  void add_measures(const ReadRecord& f, const std::vector<double>& strains, double range) {
+    const std::vector<bool> is_rattler = measures_.rattlers(f);
+    for (const std::size_t k : order_of(f)) {
+      c_.strain.push_back(quantised<std::uint16_t>(strains[k], range));
+      c_.rattler.push_back(is_rattler[k]);
     }
   }
 
@@ -144,6 +168,7 @@ class FramePacker {
   }
 
   const Box& box_;
+  FrameMeasures measures_;
   std::vector<double> turn_;          // so far, by particle
   std::vector<double> angle_;         // in the frame before
   std::vector<std::uint16_t> place_;  // in this frame
@@ -158,6 +183,8 @@ void add_columns(const Columns& c, Binary& arrays) {
   arrays.add("vy", c.vy);
   arrays.add("spin", c.spin);
   arrays.add("rat", c.rat);
+  arrays.add("strain", c.strain);
+  arrays.add("rattler", c.rattler);
   arrays.add("contactA", c.a);
   arrays.add("contactB", c.b);
   arrays.add("contactX", c.px);
@@ -269,7 +296,7 @@ PackedRun pack(const RecordedRun& run) {
                  {"mostTurn", most_turn},
                  {"stages", std::move(stages)}};
   add_particles(run, packed.arrays);
-  FramePacker frames(box, run.particles.size());
+  FramePacker frames(box, run);
   Json list = Json::array();
   for (const ReadRecord& f : run.frames) list.push_back(frames.add(f));
   add_columns(frames.columns(), packed.arrays);

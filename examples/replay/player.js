@@ -4,7 +4,7 @@
 const $ = (id) => document.getElementById(id);
 const show = {
   frame: 0, playing: false, speed: 20, // frames per second
-  mode: 0, chains: false, selected: -1, currentBreak: -1,
+  mode: 0, chains: false, strong: false, selected: -1, currentBreak: -1,
 };
 const speeds = [1, 2, 5, 10, 20, 30, 60, 120];
 
@@ -21,7 +21,7 @@ function draw() {
   refreshAsked = false;
   if (stale.view && show.chains) document.documentElement.style.setProperty("--unit-width", `${Math.max(0.5, widthOf(unitForce)).toFixed(1)}px`);
   const state = frameState(show.frame);
-  if (stale.view) drawView(state, colourModes[show.mode], show.chains, show.selected);
+  if (stale.view) drawView(state, colourModes[show.mode], show.chains, show.strong, show.selected);
   if (stale.charts) for (const chart of charts) drawChart(chart, show.frame);
   if (stale.panel) showParticle($("particle"), state, show.selected);
   else if (show.selected >= 0 && $("now")) $("now").innerHTML = particleNow(state, show.selected);
@@ -80,11 +80,18 @@ function setChains(on) {
   showLegend();
   refresh("view");
 }
+// The strong network alone; without force chains there is nothing to leave out, so they come on.
+function setStrong(on) {
+  show.strong = on;
+  $("strong").checked = on;
+  setChains(on || show.chains);
+}
 function showLegend() {
   const mode = colourModes[show.mode];
   const ring = arrays.motion.some((m) => m > 0)
     ? `<div><i style="background:var(--ring)"></i> boundary</div>` : "";
-  const chains = show.chains ? `<div><i class="stroke"></i> normal force: ${withUnit(unitForce, "N")} is this wide</div>` : "";
+  const chains = show.chains ? `<div><i class="stroke"></i> normal force: ${withUnit(unitForce, "N")} is this wide</div>` +
+    (show.strong ? "<div>only forces above the mean</div>" : "") : "";
   $("legend").innerHTML = `<div class="name">${mode.title}</div>${mode.legend()}` +
     (ring || chains ? `<div class="extra">${ring}${chains}</div>` : "");
 }
@@ -161,6 +168,7 @@ const keysOf = {
   c: () => setMode(show.mode + 1),
   C: () => setMode(show.mode - 1),
   g: () => setChains(!show.chains),
+  s: () => setStrong(!show.strong),
   n: () => nextBreak(1),
   p: () => nextBreak(-1),
   t: () => setTheme(isDark() ? "light" : "dark"),
@@ -252,6 +260,7 @@ function watchControls() {
   $("speed").onchange = () => setSpeed(Number($("speed").value));
   $("colour").onchange = () => setMode(Number($("colour").value));
   $("chains").onchange = () => setChains($("chains").checked);
+  $("strong").onchange = () => setStrong($("strong").checked);
   $("fit").onclick = () => keysOf.f();
   $("theme").onclick = () => keysOf.t();
   $("help-button").onclick = () => keysOf["?"]();
@@ -288,11 +297,12 @@ function begin() {
   watchPointers();
   watchCharts();
   watchControls();
-  // The address may say what to show first: #frame=120&colour=parent&chains=1&particle=7&theme=dark
+  // The address may say what to show first: #frame=120&colour=parent&chains=1&strong=1&particle=7&theme=dark
   const wanted = new URLSearchParams(location.hash.slice(1));
   setFrame(Number(wanted.get("frame") ?? Math.max(firstOfShear, 0)));
   setMode(Math.max(0, colourModes.findIndex((m) => m.key === wanted.get("colour"))));
   setChains(wanted.get("chains") === "1");
+  if (wanted.get("strong") === "1") setStrong(true);
   if (wanted.has("theme")) setTheme(wanted.get("theme"));
   const box = sizeCanvas(view.canvas);
   [view.width, view.height] = [box?.width ?? 600, box?.height ?? 600];

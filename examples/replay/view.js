@@ -127,11 +127,13 @@ function traceContact(state, i) {
   });
 }
 
-function drawChains(state) {
+// All contacts, or those above the mean normal force: the strong network.
+function drawChains(state, strongOnly) {
   context.strokeStyle = themeColour("--chain");
   context.lineCap = "round";
   context.lineJoin = "round";
   for (let i = 0; i < state.contacts; ++i) {
+    if (strongOnly && state.normal(i) <= state.frame.meanForce) continue;
     const width = widthOf(state.normal(i));
     if (width < 0.15) continue; // too weak to be seen
     context.lineWidth = Math.max(0.4, width);
@@ -228,7 +230,7 @@ function drawCell(state) {
   context.setLineDash([]);
 }
 
-function drawView(state, mode, chains, selected) {
+function drawView(state, mode, chains, strongOnly, selected) {
   const box = sizeCanvas(view.canvas);
   if (!box) return;
   view.width = box.width;
@@ -236,7 +238,7 @@ function drawView(state, mode, chains, selected) {
   context.fillStyle = themeColour("--page");
   context.fillRect(0, 0, view.width + 1, view.height + 1); // the last pixels as a whole
   drawParticles(state, mode, chains);
-  if (chains) drawChains(state);
+  if (chains) drawChains(state, strongOnly);
   drawCell(state);
   drawCracks(state, selected);
   drawSelection(state, selected);

@@ -18,23 +18,26 @@
 #include <riprap/core/errors.hpp>
 #include <riprap/output/file.hpp>
 #include <riprap/output/frame_records.hpp>
+#include <support/near.hpp>
 #include <support/temporary_file.hpp>
 
 using namespace riprap;
 
 namespace {
 
-Record particle(std::uint32_t id, std::uint32_t parent) {
+Record particle(std::uint32_t id, std::uint32_t parent, std::uint32_t root) {
   Record r("PART");
   r.add("id", id);
   r.add("parent", parent);
-  r.add("root", id);
+  r.add("root", root);
   r.add("generation", std::uint32_t{parent == no_particle ? 0u : 1u});
   r.add("motion", std::uint32_t{0});
   r.add("area", 1e-4);
   r.add("vertices", std::vector<float>{0, 0, 0.01f, 0, 0, 0.01f});
   return r;
 }
+
+Record particle(std::uint32_t id, std::uint32_t parent) { return particle(id, parent, id); }
 
 /// Particles `ids` in a row, turned by `angle`; the first two touch.
 Record frame(std::uint32_t stage, std::uint64_t step, const std::vector<std::uint32_t>& ids,
@@ -167,6 +170,59 @@ TEST_CASE("replay: particles of a frame are packed by id, and turns are counted 
   const double unit = packed.head["mostTurn"].get<double>() / 32767;
   // Half a step of the integers.
   CHECK(std::abs(number("angle", 10) * unit - 5 * quarter) <= 0.51 * unit);
+}
+
+TEST_CASE("replay: rattlers, the mean force and the strain since the start of shear are packed") {
+  // Four particles at the corners of a square, of which 0 breaks into 4 and 5, which stay together.
+  std::vector<Record> records;
+  for (std::uint32_t id = 0; id < 4; ++id) records.push_back(particle(id, no_particle));
+  for (std::uint32_t id = 4; id < 6; ++id) {
+    records.push_back(particle(id, 0, 0));
+  }
+  const auto add_frame = [&](std::uint32_t stage, std::uint64_t step,
+                             const std::vector<std::uint32_t>& ids, const std::vector<float>& x,
+                             const std::vector<float>& y) {
+    Record r("FRAM");
+    r.add("step", step);
+    r.add("time", 0.0);
+    r.add("breaks", std::uint32_t{0});
+    r.add("stage", stage);
+    r.add("strains", std::vector<double>{0, 0});
+    r.add("stress", std::vector<double>{1e6, 2e6, 0});
+    r.add("id", ids);
+    r.add("x", x);
+    r.add("y", y);
+    for (const char* name : {"angle", "vx", "vy", "spin", "rat"})
+      r.add(name, std::vector<float>(ids.size(), 0));
+    // 1-2-3 hold each other; 1 touches another particle, without force.
+    r.add("a", std::vector<std::uint32_t>{1, 2, 1, ids[0]});
+    r.add("b", std::vector<std::uint32_t>{2, 3, 3, 1});
+    r.add("normal", std::vector<float>{10, 20, 60, 0});
+    for (const char* name : {"px", "py", "tangential"}) r.add(name, std::vector<float>(4, 0));
+    records.push_back(r);
+  };
+  add_frame(2, 0, {0, 1, 2, 3}, {5, 1, 1, 0}, {0, 0, 1, 1});  // before shear: anywhere
+  add_frame(3, 1, {0, 1, 2, 3}, {0, 1, 1, 0}, {0, 0, 1, 1});
+  // Simple shear of 0.25; the two pieces of 0, of equal areas, lie on both sides of where it was.
+  add_frame(3, 2, {4, 1, 2, 3, 5}, {-0.125f, 1, 1.25f, 0.25f, 0.125f}, {0, 0, 1, 1, 0});
+  const replay::PackedRun packed = replay::pack(read(records, 1));
+  const auto bytes = [&](const char* array) {
+    return packed.arrays.bytes().data() + packed.arrays.index()[array]["offset"].get<std::size_t>();
+  };
+  const auto& last = packed.head["frames"][2];
+  CHECK(last["meanForce"].get<double>() == 30);
+  CHECK(last["deviatoric"].get<double>() == test::near(0.25, 1e-12));
+  CHECK(packed.head["frames"][0]["deviatoric"].get<double>() == 0);
+  CHECK(packed.head["frames"][1]["deviatoric"].get<double>() == 0);
+  // Of ids 0 to 3, 0 to 3, and 1, 2, 3, 4, 5.
+  const std::vector<int> rattlers{1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 1};
+  for (std::size_t k = 0; k < rattlers.size(); ++k) CHECK(bytes("rattler")[k] == rattlers[k]);
+  for (std::size_t k = 0; k < 5; ++k) {
+    std::uint16_t strain = 0;
+    std::memcpy(&strain, bytes("strain") + 2 * (8 + k), 2);
+    // All have the largest strain, but for round-off of one step.
+    CHECK(strain >= 65534);
+  }
 }
 
 TEST_CASE("replay: the page has everything in it, and the title cannot end its data") {

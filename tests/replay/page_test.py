@@ -113,8 +113,18 @@ def test_colours(page):
     before = page.picture()
     page.chromium.press("g")
     check(page.picture() != before, "force chains are drawn")
+    all_chains = page.picture()
+    page.chromium.press("s")
+    check(page.picture() not in (before, all_chains), "those of the strong network are fewer")
+    check("above the mean" in page.value("document.getElementById('legend').textContent"), "as the legend says")
+    page.chromium.press("s")
+    check(page.picture() == all_chains, "and all come back")
     page.chromium.press("g")
     check(page.picture() == before, "and go")
+    page.chromium.press("s")
+    check(page.value("show.chains"), "the strong network alone is drawn without force chains before")
+    page.chromium.press("s", "g")
+    check(page.picture() == before, "and goes")
     page.chromium.press("t")
     check(page.picture() != before, "dark")
     page.chromium.press("t")
@@ -222,6 +232,33 @@ def test_numbers(page):
         "const [s11, s22] = s.frame.stress; return sum / (area / 0.85 * run.thickness * (s11 + s22)); })()")
     # The sample fills 0.8 to 0.9 of its area, and normals are off the branches by up to 30 degrees.
     check(0.7 < ratio < 1.5, f"forces and stress agree: {ratio}")
+    mean = page.value("(() => { const s = frameState(show.frame); let sum = 0, n = 0;"
+                      "for (let i = 0; i < s.contacts; ++i) if (s.normal(i) > 0) { sum += s.normal(i); ++n; }"
+                      "return sum / n / s.frame.meanForce; })()")
+    # Forces are rounded to a 65,535th of the largest; those that become 0 are not counted here.
+    check(abs(mean - 1) < 0.02, f"the mean force is that of the contacts: {mean}")
+    # Over all frames: free particles with one loaded contact at most, not counting other rattlers, are
+    # rattlers. Small forces beside the largest one are rounded to nothing here, rarely.
+    wrong, rattlers, free = page.value(
+        "(() => { let wrong = 0, rattlers = 0, free = 0;"
+        "for (let f = firstOfShear; f < frameCount; ++f) {"
+        "  const s = makeState(f), loaded = new Uint16Array(s.n);"
+        "  for (let i = 0; i < s.contacts; ++i) { const a = s.a(i), b = s.b(i);"
+        "    if (s.normal(i) > 0 && !s.rattler(b)) ++loaded[a];"
+        "    if (s.normal(i) > 0 && !s.rattler(a)) ++loaded[b]; }"
+        "  for (let k = 0; k < s.n; ++k) if (arrays.motion[s.ids[k]] === 0) {"
+        "    ++free; rattlers += s.rattler(k); wrong += (loaded[k] < 2) !== (s.rattler(k) === 1); } }"
+        "return [wrong, rattlers, free]; })()")
+    check(0 < rattlers < 0.5 * free, f"some particles carry no load: {rattlers} of {free}")
+    check(wrong <= 0.002 * free, f"which are those with fewer than two loaded contacts: {wrong} wrong")
+    # The sample has eps_1 - eps_2, which is twice the axial strain less the volumetric one; the mean of
+    # the local one, never below zero, is somewhat larger, and at the edge there is none.
+    strain = page.value("(() => { const s = frameState(show.frame); let sum = 0, area = 0;"
+                        "for (let k = 0; k < s.n; ++k) if (arrays.motion[s.ids[k]] === 0) {"
+                        "  const a = arrays.area[s.ids[k]]; sum += a * s.strain(k); area += a; }"
+                        "return sum / area / (2 * s.frame.strain - s.frame.volumetric); })()")
+    check(0.8 < strain < 1.6, f"local strain is about that of the sample: {strain}")
+    check(page.value("frameState(firstOfShear).strain(70)") == 0, "and begins with shear")
 
 
 def test_small_window(page):

@@ -3,6 +3,7 @@
 /// @file
 /// A series of files for ParaView: particles and contacts at each record.
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -12,16 +13,53 @@
 #include <vector>
 
 #include <riprap/experiment/stage.hpp>
+#include <riprap/geometry/polygon_properties.hpp>
+#include <riprap/measurement/coarse_grained_stress.hpp>
 #include <riprap/measurement/contact_stress.hpp>
+#include <riprap/measurement/local_strain.hpp>
+#include <riprap/measurement/material_points.hpp>
+#include <riprap/measurement/rattlers.hpp>
 #include <riprap/output/vtp.hpp>
 
 namespace riprap {
 
+/// What particles_vtp adds on request.
+struct ParticleArrays {
+  /// The state since which strain is measured (root_centroids); without points there are none of
+  /// its arrays.
+  std::vector<MaterialPoint> reference{};
+  double kernel_radius = 0;  ///< of the coarse-grained stress [m]; 0: no such arrays
+};
+
+namespace internal {
+
+/// Gradient of displacements since a state, of each body by its root; zero where there is none.
+[[nodiscard]] inline std::vector<DisplacementGradient>
+gradients_since(const std::vector<MaterialPoint>& reference, const Particles& particles) {
+  const auto points = point_gradients(local_strain(reference, root_centroids(particles)));
+  std::vector<DisplacementGradient> out(particles.size());
+  for (BodyIndex i = 0; i < particles.size(); ++i) {
+    if (particles.body(i).is_wall()) continue;
+    const ParticleId root = particles.ancestry(i).root;
+    const auto found =
+        std::lower_bound(points.begin(), points.end(), root,
+                         [](const PointGradient& p, ParticleId id) { return p.id < id; });
+    if (found != points.end() && found->id == root) out[i] = found->gradient;
+  }
+  return out;
+}
+
+}  // namespace internal
+
 /// Particles as polygons. Arrays: `id`, `parent` (-1: none), `root`, `generation`; `motion`, the
 /// place in enum Motion (0: free); `velocity` [m/s] and `spin` [rad/s]; `s11`, `s22`, `s12`, the
-/// mean stress of the particle [Pa], compression positive; where particles can break, `rat`.
+/// mean stress of the particle [Pa], compression positive; `rattler` (0 or 1); where particles can
+/// break, `rat`. On request `volumetric_strain` (contraction positive), `deviatoric_strain` [-] and
+/// `rotation` [rad] of the material around the intact particle it comes from, since the reference
+/// (zero where that is unknown); `cg_s11`, `cg_s22`, `cg_s12`, coarse-grained stress at the
+/// centroid [Pa].
 template <class Sim>
-[[nodiscard]] VtpFile particles_vtp(const Sim& sim) {
+[[nodiscard]] VtpFile particles_vtp(const Sim& sim, const ParticleArrays& more = {}) {
   const Particles& particles = sim.particles();
   VtpFile file(VtpCells::polygons);
   for (BodyIndex i = 0; i < particles.size(); ++i) file.add_cell(particles.ring(i));
@@ -43,9 +81,24 @@ template <class Sim>
   add("s11", [&](BodyIndex i) { return stresses[i].s11; });
   add("s22", [&](BodyIndex i) { return stresses[i].s22; });
   add("s12", [&](BodyIndex i) { return stresses[i].s12; });
+  const std::vector<bool> is_rattler = rattlers(sim.contacts(), particles);
+  add("rattler", [&](BodyIndex i) { return static_cast<int>(is_rattler[i]); });
   if constexpr (Sim::breakable) {
     const std::vector<double> ratios = sim.failed_ratios();
     add("rat", [&](BodyIndex i) { return ratios[i]; });
+  }
+  if (!more.reference.empty()) {
+    const auto gradients = internal::gradients_since(more.reference, particles);
+    add("volumetric_strain", [&](BodyIndex i) { return gradients[i].volumetric_strain(); });
+    add("deviatoric_strain", [&](BodyIndex i) { return gradients[i].deviatoric_strain(); });
+    add("rotation", [&](BodyIndex i) { return gradients[i].rotation(); });
+  }
+  if (more.kernel_radius > 0) {
+    const std::vector<Stress2> smooth =
+        coarse_grained_stresses(sim.contacts(), particles, LucyKernel{more.kernel_radius});
+    add("cg_s11", [&](BodyIndex i) { return smooth[i].s11; });
+    add("cg_s22", [&](BodyIndex i) { return smooth[i].s22; });
+    add("cg_s12", [&](BodyIndex i) { return smooth[i].s12; });
   }
   return file;
 }
@@ -81,6 +134,11 @@ template <class Sim>
 /// The first state removes the files of an earlier series from the folder.
 class ParaViewSeries {
  public:
+  bool local_strain = true;  ///< arrays of strain since the first state of the series
+  /// Radius of the kernel of the coarse-grained stress over the mean diameter of the intact
+  /// particles [-]; 0: no such arrays.
+  double kernel_diameters = 3;
+
   /// The folder is made when the first state is written.
   explicit ParaViewSeries(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
@@ -105,9 +163,11 @@ class ParaViewSeries {
     if (times_.empty()) {
       remove(folder_);
       make_folder(folder_);
+      if (local_strain) arrays_.reference = root_centroids(sim.particles());
+      arrays_.kernel_radius = kernel_diameters * equivalent_diameter(sim.mean_area());
     }
     const std::string file = "_" + number_text(times_.size()) + ".vtp";
-    particles_vtp(sim).save(folder_ / ("particles" + file));
+    particles_vtp(sim, arrays_).save(folder_ / ("particles" + file));
     contacts_vtp(sim).save(folder_ / ("contacts" + file));
     times_.push_back(time);
     write_collections();
@@ -118,7 +178,11 @@ class ParaViewSeries {
     write(view.sim, view.axial_strain());
   }
 
-  static void for_each_field(auto& self, auto&& visit) { visit("times", self.times_); }
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("times", self.times_);
+    visit("reference", self.arrays_.reference);
+    visit("kernel_radius", self.arrays_.kernel_radius);
+  }
   /// The series goes on after the states of a checkpoint.
   void restored() {
     if (!times_.empty()) write_collections();
@@ -156,6 +220,7 @@ class ParaViewSeries {
 
   std::filesystem::path folder_;
   std::vector<double> times_;
+  ParticleArrays arrays_;
 };
 
 }  // namespace riprap
