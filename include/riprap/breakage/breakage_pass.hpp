@@ -68,6 +68,7 @@ class BreakagePass {
                                   criterion};
     FailureMode mode = FailureMode::intact;
     if constexpr (by_loads) {
+      for (const ContactLoad& load : particle.loads()) require_finite(load);
       mode = breakage.trigger(particle);
       if (mode == FailureMode::intact) return;
     }
