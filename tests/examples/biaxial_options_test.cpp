@@ -339,7 +339,6 @@ TEST_CASE("options of a trigger go with it alone") {
   const Options o = options_from(
       {"--trigger", "tsoungui", "--particle-strength", "5e6", "--line-fit", "loaded-diameter"});
   CHECK(o.tsoungui.strength == 5e6);
-  CHECK(o.brazilian.strength == riprap::BrazilianStrength{}.strength);
   CHECK(std::holds_alternative<riprap::LoadedDiameter>(chosen_load_line_fit(o).chosen));
   CHECK(options_from({"--trigger", "hertz", "--particle-strength", "5e8"}).hertzian.pressure ==
         5e8);
