@@ -13,6 +13,11 @@ namespace {
 Outcome run_chosen(const Options& options) {
   if (options.preset == "recommended") return run_recommended(options);
   if (options.preset == "paper") return run_paper(options);
+  if (options.breaks_by_loads()) {
+    if (options.boundary == "platens") return run_loads_platens(options);
+    if (options.boundary == "periodic") return run_loads_periodic(options);
+    return run_loads_particles(options);
+  }
   if (options.boundary == "platens") return run_choices_platens(options);
   if (options.boundary == "periodic") return run_choices_periodic(options);
   if (!options.compiled_in()) return run_choices_particles(options);

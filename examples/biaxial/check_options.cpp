@@ -9,4 +9,5 @@ void check_values(const Options& options) {
   options.test.validate();
   // A preset has the values of its own, and of the options those that this model has, too.
   model_of_choices(options).validate();
+  if (options.breaks_by_loads()) model_by_loads(options).validate();
 }

@@ -133,12 +133,28 @@ void add_breakage(OptionTable& table, Options& o) {
   table.begin_group("Breakage");
   table.add_choice("--breakage", o.breakage, {"on", "off"}, "may particles break?");
   add_criterion(table, o);
-  table.add_number("--ratf", o.trigger.critical, "FailedElementRatio.critical",
-                   "share of failed elements that breaks a particle [-]");
+  const std::string trigger = "--trigger";
+  table.add_choice(trigger, o.trigger,
+                   {"failed-elements", "brazilian", "mean-stress", "hertz", "tsoungui"},
+                   "breakage of a particle: by failed elements; or by its contact loads alone: the "
+                   "two largest opposed forces, the mean stress in the criterion, the largest "
+                   "force, the equivalent diametral compression");
+  table.add_number(
+      "--ratf",
+      Numbers{{&o.failed_elements.critical, "FailedElementRatio.critical", "failed-elements"}},
+      "share of failed elements that breaks a particle [-]", trigger);
+  table.add_number("--particle-strength",
+                   Numbers{{&o.brazilian.strength, "BrazilianStrength.strength", "brazilian"},
+                           {&o.hertzian.pressure, "HertzianStrength.pressure", "hertz"},
+                           {&o.tsoungui.strength, "TsounguiStrength.strength", "tsoungui"}},
+                   "Brazilian strength, or the largest pressure of a contact [Pa]", trigger);
   table.add_choice("--line-fit", o.line_fit,
-                   {"xy", "x", "y", "xy-mean-stress", "mean-tension", "tls", "plane"},
+                   {"xy", "x", "y", "xy-mean-stress", "mean-tension", "tls", "plane",
+                    "loaded-diameter", "mean-stress", "mean-stress-plane"},
                    "crack line: the paper's choice, weighted X, Y, the choice by the mean stress, "
-                   "across the mean tension, total least squares, failure plane");
+                   "across the mean tension, total least squares, failure plane; by the loads, of "
+                   "which each trigger by the loads has its own: through the opposed forces, "
+                   "across the tension of the mean stress, along its failure plane");
   table.add_number("--minimum-piece-area", o.splitter.minimum_area, "StraightCut.minimum_area",
                    "over the mean area of the intact particles [-]");
   table.add_number("--maximum-piece-aspect", o.splitter.maximum_aspect,

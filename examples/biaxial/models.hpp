@@ -15,7 +15,7 @@ inline auto breakable_model(const Options& o) {
       .line_fit(chosen_line_fit(o))
       .plane_state(chosen_plane(o))
       .mesher(o.mesher)
-      .trigger(o.trigger)
+      .trigger(o.failed_elements)
       .splitter(o.splitter)
       .check_every(o.check_every)
       .execution(AnyExecution{static_cast<int>(o.threads)});
@@ -29,4 +29,9 @@ inline auto model_of_choices(const Options& o) {
       .time_step(chosen_time_step(o))
       .integrator(chosen_integrator(o))
       .support(chosen_support(o));
+}
+
+// The same with breakage by the contact loads alone: no particle is meshed.
+inline auto model_by_loads(const Options& o) {
+  return model_of_choices(o).trigger(chosen_load_trigger(o)).line_fit(chosen_load_line_fit(o));
 }

@@ -38,16 +38,46 @@ void adapt_area_spring(const OptionTable& table, Options& o) {
   if (!table.is_given("--largest-chord")) o.area.largest_chord = o.assembly.mean_diameter;
 }
 
+// Does a line fit of this name need no finite elements?
+bool by_loads(const std::string& line_fit) {
+  return line_fit == "loaded-diameter" || line_fit == "mean-stress" ||
+         line_fit == "mean-stress-plane";
+}
+
 // Names of the policies that a preset sets, for the summary; their options are not to be given.
 void apply_preset(OptionTable& table, Options& o) {
   if (o.preset == "model") return;
-  table.exclude({"--contact", "--friction", "--normal-stiffness", "--tangential-stiffness",
-                 "--boundary", "--integrator", "--time-step-fraction", "--plane", "--support",
-                 "--mesh-triangles", "--criterion", "--compressive-strength", "--m-b", "--s",
-                 "--a-b", "--hoek-brown-angle", "--ratf", "--line-fit"},
+  table.exclude({"--contact",
+                 "--friction",
+                 "--normal-stiffness",
+                 "--tangential-stiffness",
+                 "--boundary",
+                 "--integrator",
+                 "--time-step-fraction",
+                 "--plane",
+                 "--support",
+                 "--mesh-triangles",
+                 "--criterion",
+                 "--compressive-strength",
+                 "--m-b",
+                 "--s",
+                 "--a-b",
+                 "--hoek-brown-angle",
+                 "--trigger",
+                 "--ratf",
+                 "--particle-strength",
+                 "--line-fit"},
                 "--preset");
   if (o.preset == "recommended") o.line_fit = "mean-tension";
   if (o.preset == "paper") o.support = "pinned";
+}
+
+// The line fit that goes with a trigger by the loads, unless one is given.
+void choose_line_fit(const OptionTable& table, Options& o) {
+  if (table.is_given("--line-fit") || !o.breaks_by_loads()) return;
+  o.line_fit = o.trigger == "mean-stress" ? "mean-stress-plane"
+               : o.trigger == "tsoungui"  ? "mean-stress"
+                                          : "loaded-diameter";
 }
 
 // The command that goes on with a run: its folder and its file of parameters.
@@ -77,6 +107,10 @@ std::vector<std::string> with_resumed_options(std::vector<std::string> arguments
 
 // What goes together, and with this build.
 void check_combination(const Options& o) {
+  if (o.breaks_by_loads() && !by_loads(o.line_fit))
+    throw CLI::ValidationError("--line-fit", "'" + o.line_fit +
+                                                 "' needs finite elements, which the trigger '" +
+                                                 o.trigger + "' does without");
 #ifndef _OPENMP
   if (o.threads > 1)
     throw CLI::ValidationError("--threads", "this program was built without OpenMP, which was not "
@@ -84,8 +118,8 @@ void check_combination(const Options& o) {
 #endif
   if (o.timer && !o.compiled_in())
     throw CLI::ValidationError("--timer",
-                               "goes with the default preset, boundary, contact law, integrator "
-                               "and support only");
+                               "goes with the default preset, boundary, contact law, integrator, "
+                               "support and trigger only");
 }
 
 // The options with what reads them.
@@ -112,6 +146,7 @@ struct Reader {
     command_line::check_config_option(app);
     table.check_choices();
     apply_preset(table, options);
+    choose_line_fit(table, options);
     check_combination(options);
     adapt_area_spring(table, options);
     if (options.hoek_brown_angle == "tangent")

@@ -48,8 +48,12 @@ struct Options {
   riprap::Murrell murrell{};
   riprap::Hobbs hobbs{};
   riprap::Franklin franklin{};
-  riprap::FailedElementRatio trigger{};
-  std::string line_fit = "xy";
+  std::string trigger = "failed-elements";
+  riprap::FailedElementRatio failed_elements{};
+  riprap::BrazilianStrength brazilian{};
+  riprap::HertzianStrength hertzian{};
+  riprap::TsounguiStrength tsoungui{};
+  std::string line_fit = "xy";  // another one goes with each trigger by the loads
   riprap::StraightCut splitter{};
   unsigned check_every = 1;
 
@@ -63,12 +67,14 @@ struct Options {
   command_line::OptionNames names{};
   std::string toml{};
 
-  // Do preset, contact law, integrator, support and boundary have their defaults, for which there
-  // are programs without choices?
+  // Do preset, contact law, integrator, support, boundary and trigger have their defaults, for
+  // which there are programs without choices?
   [[nodiscard]] bool compiled_in() const {
     return preset == "model" && contact == "energy-conserving" && integrator == "euler" &&
-           support == "inertia-relief" && boundary == "particles";
+           support == "inertia-relief" && boundary == "particles" && !breaks_by_loads();
   }
+  // Does the trigger need no finite elements? Then the line fit needs none either.
+  [[nodiscard]] bool breaks_by_loads() const { return trigger != "failed-elements"; }
 };
 
 // The options of a command without the name of the program; throws CLI::ParseError for --help and

@@ -53,6 +53,20 @@ inline Json criterion_json(const AnyCriterion& criterion) {
   return std::visit([](const auto& c) { return criterion_json(c); }, criterion.chosen);
 }
 
+inline Json trigger_json(const riprap::BrazilianStrength& t) {
+  return {{"name", "brazilian"}, {"strength_Pa", t.strength}};
+}
+inline Json trigger_json(const riprap::MeanStressFailure&) { return {{"name", "mean-stress"}}; }
+inline Json trigger_json(const riprap::HertzianStrength& t) {
+  return {{"name", "hertz"}, {"pressure_Pa", t.pressure}};
+}
+inline Json trigger_json(const riprap::TsounguiStrength& t) {
+  return {{"name", "tsoungui"}, {"strength_Pa", t.strength}};
+}
+inline Json trigger_json(const AnyLoadTrigger& trigger) {
+  return std::visit([](const auto& t) { return trigger_json(t); }, trigger.chosen);
+}
+
 template <class Law>
 Json springs_json(const char* name, const Law& law) {
   return {{"law", name},
@@ -88,6 +102,25 @@ inline Json contact_json(const AnyContact& law) {
   return std::visit([](const auto& l) { return contact_json(l); }, law.chosen);
 }
 
+template <class Sim>
+Json breakage_json(const Options& o, const Sim& sim) {
+  const auto& breakage = sim.model().breakage_model;
+  Json j = {{"criterion", criterion_json(breakage.criterion)}};
+  if constexpr (Sim::needs_elements) {
+    j["ratf"] = breakage.trigger.critical;
+    j["rat_measure"] = rat_measure(breakage.trigger);
+  } else {
+    j["trigger"] = trigger_json(breakage.trigger);
+  }
+  j["line_fit"] = o.line_fit;
+  j["minimum_piece_area"] = breakage.splitter.minimum_area;
+  j["maximum_piece_aspect"] = breakage.splitter.maximum_aspect;
+  j["maximum_pieces"] = breakage.splitter.maximum_pieces;
+  j["dust"] = breakage.splitter.dust;
+  j["check_every"] = breakage.check_every;
+  return j;
+}
+
 // Every parameter, read from what was run.
 template <class Sim>
 Json parameters_json(const Options& o, const Sim& sim) {
@@ -111,21 +144,14 @@ Json parameters_json(const Options& o, const Sim& sim) {
   j["breakage"] = "off";
   if constexpr (Sim::breakable) {
     if (o.breakage == "off") return j;
-    const auto& stress = sim.model().stress_model;
-    const auto& breakage = sim.model().breakage_model;
-    j["stress"] = {{"plane", o.plane},
-                   {"support", o.support},
-                   {"mesh_triangles", stress.mesher.triangles},
-                   {"nodes_of_triangle", stress.element.nodes}};
-    j["breakage"] = {{"criterion", criterion_json(breakage.criterion)},
-                     {"ratf", breakage.trigger.critical},
-                     {"rat_measure", rat_measure(breakage.trigger)},
-                     {"line_fit", o.line_fit},
-                     {"minimum_piece_area", breakage.splitter.minimum_area},
-                     {"maximum_piece_aspect", breakage.splitter.maximum_aspect},
-                     {"maximum_pieces", breakage.splitter.maximum_pieces},
-                     {"dust", breakage.splitter.dust},
-                     {"check_every", breakage.check_every}};
+    if constexpr (Sim::needs_elements) {
+      const auto& stress = sim.model().stress_model;
+      j["stress"] = {{"plane", o.plane},
+                     {"support", o.support},
+                     {"mesh_triangles", stress.mesher.triangles},
+                     {"nodes_of_triangle", stress.element.nodes}};
+    }
+    j["breakage"] = breakage_json(o, sim);
   }
   return j;
 }

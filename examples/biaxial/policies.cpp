@@ -20,7 +20,23 @@ AnyLineFit chosen_line_fit(const Options& options) {
   if (options.line_fit == "mean-tension") return {riprap::MeanTensionLine{}};
   if (options.line_fit == "tls") return {riprap::TotalLeastSquares{}};
   if (options.line_fit == "plane") return {riprap::FailurePlaneThroughCentroid{}};
+  if (options.line_fit == "loaded-diameter") return {riprap::LoadedDiameter{}};
+  if (options.line_fit == "mean-stress") return {riprap::MeanStressLine{}};
+  if (options.line_fit == "mean-stress-plane") return {riprap::MeanStressFailurePlane{}};
   return {riprap::WeightedXY{}};
+}
+
+AnyLoadTrigger chosen_load_trigger(const Options& options) {
+  if (options.trigger == "mean-stress") return {riprap::MeanStressFailure{}};
+  if (options.trigger == "hertz") return {options.hertzian};
+  if (options.trigger == "tsoungui") return {options.tsoungui};
+  return {options.brazilian};
+}
+
+AnyLoadLineFit chosen_load_line_fit(const Options& options) {
+  if (options.line_fit == "mean-stress") return {riprap::MeanStressLine{}};
+  if (options.line_fit == "mean-stress-plane") return {riprap::MeanStressFailurePlane{}};
+  return {riprap::LoadedDiameter{}};
 }
 
 AnyPlane chosen_plane(const Options& options) {

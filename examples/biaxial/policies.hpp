@@ -5,6 +5,7 @@
 
 #include <riprap/breakage/criterion/criterion_choice.hpp>
 #include <riprap/breakage/line_fit/line_fit_choice.hpp>
+#include <riprap/breakage/trigger/trigger_choice.hpp>
 #include <riprap/contact/contact_law/contact_law_choice.hpp>
 #include <riprap/contact/narrow_phase/narrow_phase_choice.hpp>
 #include <riprap/core/execution/serial.hpp>
@@ -21,10 +22,15 @@
 using AnyCriterion = riprap::CriterionChoice<riprap::HoekBrown, riprap::MohrCoulomb,
                                              riprap::Griffith, riprap::ModifiedGriffith,
                                              riprap::Murrell, riprap::Hobbs, riprap::Franklin>;
-using AnyLineFit =
-    riprap::LineFitChoice<riprap::WeightedXY, riprap::WeightedX, riprap::WeightedY,
-                          riprap::WeightedXYByMeanStress, riprap::MeanTensionLine,
-                          riprap::TotalLeastSquares, riprap::FailurePlaneThroughCentroid>;
+using AnyLineFit = riprap::LineFitChoice<
+    riprap::WeightedXY, riprap::WeightedX, riprap::WeightedY, riprap::WeightedXYByMeanStress,
+    riprap::MeanTensionLine, riprap::TotalLeastSquares, riprap::FailurePlaneThroughCentroid,
+    riprap::LoadedDiameter, riprap::MeanStressLine, riprap::MeanStressFailurePlane>;
+// Of those that need no finite elements.
+using AnyLoadTrigger = riprap::TriggerChoice<riprap::BrazilianStrength, riprap::MeanStressFailure,
+                                             riprap::HertzianStrength, riprap::TsounguiStrength>;
+using AnyLoadLineFit = riprap::LineFitChoice<riprap::LoadedDiameter, riprap::MeanStressLine,
+                                             riprap::MeanStressFailurePlane>;
 using AnyContact = riprap::ContactLawChoice<riprap::EnergyConservingSpring,
                                             riprap::LinearSpringCoulomb, riprap::IncrementalSpring,
                                             riprap::OverlapAreaSpring, riprap::SpringDashpot>;
@@ -49,6 +55,8 @@ static_assert(riprap::Execution<AnyExecution>);
 
 AnyCriterion chosen_criterion(const Options& options);
 AnyLineFit chosen_line_fit(const Options& options);
+AnyLoadTrigger chosen_load_trigger(const Options& options);
+AnyLoadLineFit chosen_load_line_fit(const Options& options);
 AnyPlane chosen_plane(const Options& options);
 AnyContact chosen_contact(const Options& options);
 // The one that the contact law goes with.

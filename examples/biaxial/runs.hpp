@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 // The runs that the program has compiled in: one source file each. The defaults have two of their
-// own and one that reads a clock, the presets one each; whether the plane is periodic is decided at
-// compile time.
+// own and one that reads a clock, the presets one each; whether the plane is periodic, and whether
+// particles are meshed, is decided at compile time.
 
 #include "options.hpp"
 
@@ -18,3 +18,6 @@ Outcome run_paper(const Options& options);
 Outcome run_choices_particles(const Options& options);
 Outcome run_choices_platens(const Options& options);
 Outcome run_choices_periodic(const Options& options);
+Outcome run_loads_particles(const Options& options);
+Outcome run_loads_platens(const Options& options);
+Outcome run_loads_periodic(const Options& options);

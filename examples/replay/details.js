@@ -53,14 +53,17 @@ function breakCard(b, name, title) {
   const area = b.areas[0] + b.areas[1];
   const pieces = b.pieces.map((id, n) =>
     `${id === null ? "dust" : linkTo(id)} (${Math.round(100 * b.areas[n] / area)} %)`).join(" and ");
-  const failed = countFailed(b);
+  const bySamples = b.samples[1] > 0;
+  const why = bySamples
+    ? `${countFailed(b)} of ${b.samples[1]} elements failed, Rat ${digits(b.rat)}, the first in ${modes[b.mode]}`
+    : `by the contact loads, in ${modes[b.mode]}`;
+  const hidden = bySamples ? "" : " hidden";
   return `<article class="card" id="${name}">` +
     `<div class="row"><h3>${title}</h3><button data-break="${b.number}">Go there</button></div>` +
     `<canvas role="img" aria-label="Mesh, failed elements, loads and the line of the break"></canvas>` +
-    `<div class="scale"><span data-scale="low"></span><span class="bar"></span><span data-scale="high"></span></div>` +
-    `<p>In ${run.stages[b.stage]} at a strain of ${percent(b.strain)}: ${failed} of ${b.samples[1]} elements failed, ` +
-    `Rat ${digits(b.rat)}, the first in ${modes[b.mode]}. Pieces: ${pieces}.</p>` +
-    `<label>Elements by <select aria-label="Colour of the elements">` +
+    `<div class="scale"${hidden}><span data-scale="low"></span><span class="bar"></span><span data-scale="high"></span></div>` +
+    `<p>In ${run.stages[b.stage]} at a strain of ${percent(b.strain)}: ${why}. Pieces: ${pieces}.</p>` +
+    `<label${hidden}>Elements by <select aria-label="Colour of the elements">` +
     `<option value="minor">minor principal stress</option><option value="major">major principal stress</option>` +
     `<option value="shear">largest shear stress</option></select></label></article>`;
 }
@@ -134,6 +137,13 @@ function drawBreak(card, b) {
   const sizes = elements.map((e) => Math.abs(e.value)).sort((p, q) => p - q);
   const most = sizes[Math.floor(0.97 * (sizes.length - 1))] || 1;
   const scale = stressScale(measure, most);
+  if (!elements.length) {
+    ctx.beginPath();
+    nodes.forEach((x) => ctx.lineTo(...place(...x)));
+    ctx.closePath();
+    ctx.strokeStyle = themeColour("--line");
+    ctx.stroke();
+  }
   elements.forEach((element, e) => {
     const [p, q, r] = corners(e);
     ctx.beginPath();

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <riprap/breakage/line_fit/loaded_diameter.hpp>
 #include <riprap/breakage/splitter/no_split.hpp>
+#include <riprap/breakage/trigger/brazilian_strength.hpp>
 #include <riprap/breakage/trigger/weibull_strength.hpp>
 #include <riprap/dynamics/boundary/no_boundary.hpp>
 #include <riprap/dynamics/integrator/velocity_verlet.hpp>
@@ -148,4 +150,5 @@ TEST_CASE("loads that are not finite are an error that names the particle, not a
   check(model);
   check(model.support(TwoPinnedContacts{}));
   check(model.integrator(VelocityVerlet{}));
+  check(model.trigger(BrazilianStrength{1e15}).line_fit(LoadedDiameter{}));
 }

@@ -7,6 +7,9 @@
 
 #include <riprap/breakage/line_fit/failure_plane_through_centroid.hpp>
 #include <riprap/breakage/line_fit/line_fit_choice.hpp>
+#include <riprap/breakage/line_fit/loaded_diameter.hpp>
+#include <riprap/breakage/line_fit/mean_stress_failure_plane.hpp>
+#include <riprap/breakage/line_fit/mean_stress_line.hpp>
 #include <riprap/breakage/line_fit/mean_tension_line.hpp>
 #include <riprap/breakage/line_fit/no_line.hpp>
 #include <riprap/breakage/line_fit/total_least_squares.hpp>
@@ -31,6 +34,18 @@ struct AlongBedding {
 };
 
 using Choice = LineFitChoice<TotalLeastSquares, WeightedXY, WeightedXYByMeanStress, NoLine>;
+
+using MixedChoice = LineFitChoice<MeanStressLine, WeightedXY>;
+using LoadChoice = LineFitChoice<MeanStressLine, LoadedDiameter>;
+
+/// Through a corner's neighbourhood, beside the particle.
+struct Beside {
+  std::optional<Line> operator()(const LoadedParticle& particle) const {
+    std::optional<Line> line = MeanStressLine{}(particle);
+    if (line) line->point += 2 * perpendicular(line->direction);
+    return line;
+  }
+};
 
 /// The principal axis, spoilt by `change`.
 template <class Change>
@@ -64,6 +79,20 @@ TEST_CASE("the line fits of riprap obey the axioms") {
   CHECK(to_text(line_fit_violations(Choice{WeightedXY{}})) == "");
   CHECK(to_text(line_fit_violations(Choice{WeightedXYByMeanStress{}})) == "");
   CHECK(to_text(line_fit_violations(Choice{NoLine{}})) == "");
+}
+
+TEST_CASE("line fits by the loads obey the axioms and turn with the particle") {
+  const auto check = [](const auto& fit) {
+    CHECK(to_text(line_fit_violations(fit)) == "");
+    CHECK(to_text(line_fit_rotation_violations(fit)) == "");
+  };
+  check(LoadedDiameter{});
+  check(MeanStressLine{});
+  check(MeanStressFailurePlane{});
+  check(LoadChoice{LoadedDiameter{}});
+  check(MixedChoice{MeanStressLine{}});
+  check_violated(line_fit_violations(Beside{}),
+                 "the line runs through the particle: reach on its other side");
 }
 
 TEST_CASE("a user's line fit obeys the axioms") {

@@ -6,10 +6,16 @@
 #include <support/violated.hpp>
 
 #include <riprap/breakage/trigger/any_element.hpp>
+#include <riprap/breakage/trigger/brazilian_strength.hpp>
 #include <riprap/breakage/trigger/failed_area_ratio.hpp>
 #include <riprap/breakage/trigger/failed_element_ratio.hpp>
+#include <riprap/breakage/trigger/hertzian_strength.hpp>
+#include <riprap/breakage/trigger/mean_stress_failure.hpp>
 #include <riprap/breakage/trigger/never_breaks.hpp>
+#include <riprap/breakage/trigger/trigger_choice.hpp>
+#include <riprap/breakage/trigger/tsoungui_strength.hpp>
 #include <riprap/breakage/trigger/weibull_strength.hpp>
+#include <riprap/breakage/trigger/with_weibull_strength.hpp>
 #include <riprap/conformance/trigger.hpp>
 
 using namespace riprap;
@@ -51,7 +57,70 @@ struct Strength : NeverBreaks {
   double strength_factor(ParticleId, double) const { return strength += change; }
 };
 
+// By the loads, spoilt in one way each.
+struct Unloaded {
+  FailureMode operator()(const LoadedParticle& particle) const {
+    return particle.loads().empty() ? FailureMode::tension : FailureMode::intact;
+  }
+};
+struct UpToAForce {
+  FailureMode operator()(const LoadedParticle& particle) const {
+    const double force = particle.loads().empty() ? 0 : particle.loads()[0].normal_force;
+    return force > 1e3 && force < 1e6 ? FailureMode::tension : FailureMode::intact;
+  }
+};
+struct FirstLoad {
+  FailureMode operator()(const LoadedParticle& particle) const {
+    const bool large = !particle.loads().empty() && particle.loads()[0].normal_force > 1e4;
+    return large ? FailureMode::tension : FailureMode::intact;
+  }
+};
+struct OfThePlace {
+  FailureMode operator()(const LoadedParticle& particle) const {
+    const bool far = particle.centroid().norm() > 1 && !particle.loads().empty();
+    return far ? FailureMode::tension : FailureMode::intact;
+  }
+};
+struct AcrossAxis1 {
+  FailureMode operator()(const LoadedParticle& particle) const {
+    return particle.mean_stress().s11 > 1e7 ? FailureMode::tension : FailureMode::intact;
+  }
+};
+struct AlternatesByLoads {
+  mutable bool now = false;
+  FailureMode operator()(const LoadedParticle&) const {
+    now = !now;
+    return now ? FailureMode::tension : FailureMode::intact;
+  }
+};
+
+using Choice = TriggerChoice<BrazilianStrength, TsounguiStrength>;
+
 }  // namespace
+
+TEST_CASE("the triggers by loads of riprap obey the axioms, and have no preferred axes") {
+  const auto check = [](const auto& trigger) {
+    CHECK(to_text(trigger_violations(trigger)) == "");
+    CHECK(to_text(trigger_rotation_violations(trigger)) == "");
+  };
+  check(BrazilianStrength{});
+  check(MeanStressFailure{});
+  check(HertzianStrength{});
+  check(TsounguiStrength{});
+  check(WithWeibullStrength{BrazilianStrength{}});
+  check(Choice{TsounguiStrength{}});
+  CHECK(to_text(trigger_violations(WithWeibullStrength{FailedElementRatio{}})) == "");
+}
+
+TEST_CASE("a trigger by loads that breaks an axiom is reported") {
+  check_violated(trigger_violations(Unloaded{}), "a particle without loads stays whole");
+  check_violated(trigger_violations(UpToAForce{}), "a larger load never prevents a break");
+  check_violated(trigger_violations(FirstLoad{}), "the order of the loads does not matter");
+  check_violated(trigger_violations(OfThePlace{}), "a shifted particle fails likewise");
+  check_violated(trigger_violations(AlternatesByLoads{}), "the same loads give the same answer");
+  check_violated(trigger_rotation_violations(AcrossAxis1{}), "a turned particle fails likewise");
+  CHECK(to_text(trigger_violations(AcrossAxis1{})) == "");
+}
 
 TEST_CASE("the triggers of riprap obey the axioms") {
   CHECK(to_text(trigger_violations(FailedElementRatio{})) == "");

@@ -51,7 +51,7 @@ std::string error_of(const Arguments& arguments) {
         .time_step(o.time_step)
         .mesher(o.mesher)
         .criterion(chosen_criterion(o))
-        .trigger(o.trigger)
+        .trigger(o.failed_elements)
         .splitter(o.splitter)
         .check_every(o.check_every)
         .validate();
@@ -185,6 +185,7 @@ TEST_CASE(
                                  "s",
                                  "a-b",
                                  "hoek-brown-angle",
+                                 "trigger",
                                  "ratf",
                                  "line-fit",
                                  "minimum-piece-area",
@@ -310,8 +311,43 @@ TEST_CASE("each name of a line fit stands for one") {
   stands_for("mean-tension", riprap::MeanTensionLine{});
   stands_for("tls", riprap::TotalLeastSquares{});
   stands_for("plane", riprap::FailurePlaneThroughCentroid{});
+  stands_for("loaded-diameter", riprap::LoadedDiameter{});
+  stands_for("mean-stress", riprap::MeanStressLine{});
+  stands_for("mean-stress-plane", riprap::MeanStressFailurePlane{});
   CHECK(std::holds_alternative<riprap::WeightedXY>(chosen_line_fit(options_from({})).chosen));
   CHECK(contains(refusal({"--line-fit", "z"}), "--line-fit: "));
+}
+
+TEST_CASE("each name of a trigger by the loads stands for one, with a line fit of its own") {
+  const auto stands_for = [](const std::string& name, auto trigger, auto fit) {
+    const Options o = options_from({"--trigger", name});
+    CHECK(o.breaks_by_loads());
+    CHECK(!o.compiled_in());
+    CHECK_MESSAGE(std::holds_alternative<decltype(trigger)>(chosen_load_trigger(o).chosen), name);
+    CHECK_MESSAGE(std::holds_alternative<decltype(fit)>(chosen_load_line_fit(o).chosen), name);
+    CHECK(read_back(o.toml).toml == o.toml);
+  };
+  stands_for("brazilian", riprap::BrazilianStrength{}, riprap::LoadedDiameter{});
+  stands_for("mean-stress", riprap::MeanStressFailure{}, riprap::MeanStressFailurePlane{});
+  stands_for("hertz", riprap::HertzianStrength{}, riprap::LoadedDiameter{});
+  stands_for("tsoungui", riprap::TsounguiStrength{}, riprap::MeanStressLine{});
+  CHECK(!options_from({}).breaks_by_loads());
+  CHECK(!options_from({"--line-fit", "loaded-diameter"}).breaks_by_loads());
+}
+
+TEST_CASE("options of a trigger go with it alone") {
+  const Options o = options_from(
+      {"--trigger", "tsoungui", "--particle-strength", "5e6", "--line-fit", "loaded-diameter"});
+  CHECK(o.tsoungui.strength == 5e6);
+  CHECK(std::holds_alternative<riprap::LoadedDiameter>(chosen_load_line_fit(o).chosen));
+  CHECK(options_from({"--trigger", "hertz", "--particle-strength", "5e8"}).hertzian.pressure ==
+        5e8);
+  CHECK(contains(refusal({"--particle-strength", "5e6"}), "--particle-strength: "));
+  CHECK(contains(refusal({"--trigger", "mean-stress", "--particle-strength", "5e6"}),
+                 "--particle-strength: "));
+  CHECK(contains(refusal({"--trigger", "brazilian", "--ratf", "0.3"}), "--ratf: "));
+  CHECK(contains(refusal({"--trigger", "brazilian", "--line-fit", "xy"}), "--line-fit: "));
+  CHECK(contains(refusal({"--trigger", "brazilian", "--preset", "paper"}), "--trigger: "));
 }
 
 TEST_CASE("A run that goes on has the options of its folder, but for a few") {

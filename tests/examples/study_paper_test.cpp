@@ -62,7 +62,7 @@ void check_model(const RunPlan& plan, const Options& o, const Json& wanted) {
   CHECK(o.hoek_brown.s == breakage["s"]);
   CHECK(o.hoek_brown.a_b == breakage["a_b"]);
   CHECK(o.mesher.triangles == breakage["mesh_triangles"]);
-  CHECK(o.trigger.critical == breakage["ratf"]);
+  CHECK(o.failed_elements.critical == breakage["ratf"]);
   CHECK(o.splitter.minimum_area == breakage["minimum_piece_area"]);
   CHECK(o.splitter.maximum_aspect == breakage["maximum_piece_aspect"]);
   CHECK(o.check_every == breakage["check_every"]);

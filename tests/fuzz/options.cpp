@@ -50,7 +50,7 @@ void check_round_trip(const ::Options& options) {
   for (const double value :
        {options.test.confining_pressure, options.test.axial_strain, options.rock.young,
         options.rock.poisson, options.linear.friction, options.hoek_brown.m_b,
-        options.trigger.critical, options.splitter.maximum_aspect})
+        options.failed_elements.critical, options.splitter.maximum_aspect})
     check(std::isfinite(value), "a number of an option is finite", {value});
 }
 

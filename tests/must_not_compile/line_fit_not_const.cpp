@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // riprap: a LineFit must have std::optional<Line> operator()(std::span<const WeightedPoint>, const
-// FailurePlanes&[, const Stress2&]) const
+// FailurePlanes&[, const Stress2&[, const LoadedParticle&]]) const or operator()(const
+// LoadedParticle&) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// riprap: a Trigger must have bool operator()(const FailureCount&) const
+// riprap: a Trigger must have bool operator()(const FailureCount&[, const LoadedParticle&]) const,
+// or FailureMode operator()(const LoadedParticle&) const
 #include <riprap/simulation/model.hpp>
 using namespace riprap;
 

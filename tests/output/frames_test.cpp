@@ -17,6 +17,8 @@
 #include <system_error>
 #include <vector>
 
+#include <riprap/breakage/line_fit/mean_stress_line.hpp>
+#include <riprap/breakage/trigger/tsoungui_strength.hpp>
 #include <riprap/checkpoint/fields_of.hpp>
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/particle/random_assembly.hpp>
@@ -193,6 +195,29 @@ TEST_CASE("a biaxial test leaves frames of all stages, particles and breaks") {
       for (const double id : r["id"]) CHECK(known.count(id) == 1);
   }
   CHECK(std::filesystem::file_size(FrameWriter::file_in(folder.path)) == writer.bytes());
+}
+
+TEST_CASE("a break by the contact loads has corners, loads and a mode, and no elements") {
+  Simulation sim{Model{}.trigger(TsounguiStrength{}).line_fit(MeanStressLine{}),
+                 random_assembly({.count = 60, .seed = 2}), Rock{}};
+  const TemporaryFolder folder;
+  FrameWriter writer{folder.path};
+  (void)small_test.run(sim, writer);
+  REQUIRE(sim.breaks().size() >= 5);
+  CHECK(sim.operator_bytes() == 0);
+  std::size_t breaks = 0;
+  for (const ReadRecord& r : records_in(folder.path)) {
+    if (r.kind == "RUN ") CHECK(!r.has("ratf"));
+    if (r.kind == "FRAM") CHECK(*std::max_element(r["rat"].begin(), r["rat"].end()) == 0);
+    if (r.kind != "BREK") continue;
+    ++breaks;
+    CHECK(r["nodes"].size() >= 6);
+    for (const char* empty : {"triangles", "s11", "s22", "s12", "failed"}) CHECK(r[empty].empty());
+    CHECK(r["points"].size() >= 4);
+    CHECK(r.number("rat") == 0);
+    CHECK(r.number("mode") == 1);
+  }
+  CHECK(breaks == sim.breaks().size());
 }
 
 TEST_CASE("the last frame is the state at the end") {

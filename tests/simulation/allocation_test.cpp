@@ -6,6 +6,9 @@
 #include <cstdlib>
 #include <new>
 
+#include <riprap/breakage/line_fit/mean_stress_line.hpp>
+#include <riprap/breakage/trigger/tsoungui_strength.hpp>
+#include <riprap/breakage/trigger/with_weibull_strength.hpp>
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
 
@@ -69,6 +72,19 @@ TEST_CASE("a thousand warm steps allocate nothing, rebuilds of the neighbour lis
   for (int k = 0; k < 1000; ++k) sim.step();
   CHECK(allocations == before);
   CHECK(pairs() != pairs_before);  // there were new lists
+}
+
+TEST_CASE("a thousand warm checks by the contact loads allocate nothing") {
+  const WithWeibullStrength<TsounguiStrength> trigger{.trigger = {1e15}};
+  Simulation sim{Model{}.trigger(trigger).line_fit(MeanStressLine{}),
+                 random_assembly({.count = 200, .seed = 5}), Rock{}};
+  sim.boundary().set_rate(2, 2);
+  for (int k = 0; k < 20'000 && sim.contacts().pairs().size() < 500; ++k) sim.step();
+  sim.boundary().set_rate(-2, -2);
+  for (int k = 0; k < 2000; ++k) sim.step();
+  const std::size_t before = allocations;
+  for (int k = 0; k < 1000; ++k) sim.step();
+  CHECK(allocations == before);
 }
 
 TEST_CASE("a split costs less than twenty allocations, an operator less than a thousand") {

@@ -217,11 +217,27 @@ struct Trigger : Copyable {
   }
 };
 
+struct LoadTrigger : Copyable {
+  using Copyable::Copyable;
+  Gives<FailureMode> operator()(Takes<LoadedParticle> particle) const {
+    const Stress2 mean = particle.get().mean_stress();
+    return Gives(particle.get().criterion().evaluate(mean).mode);
+  }
+};
+
 struct LineFit : Copyable {
   using Copyable::Copyable;
   Gives<std::optional<Line>> operator()(Takes<std::span<const WeightedPoint>> points,
                                         Takes<FailurePlanes> planes) const {
     return Gives(WeightedXY{}(points.get(), planes.get()));
+  }
+};
+
+struct LoadLineFit : Copyable {
+  using Copyable::Copyable;
+  Gives<std::optional<Line>> operator()(Takes<LoadedParticle> particle) const {
+    return Gives(std::optional<Line>(
+        {particle.get().centroid(), particle.get().mean_stress().principal().major_direction}));
   }
 };
 

@@ -3,6 +3,7 @@
 /// @file
 /// What a breakage pass works on.
 
+#include <riprap/breakage/needs_elements.hpp>
 #include <riprap/breakage/trigger/load_scale.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/material/rock.hpp>
@@ -16,6 +17,10 @@ namespace riprap {
 template <class BreakagePart, class StressPart, ListedContacts Contacts, class Operators,
           Execution E>
 struct BreakageInput {
+  static constexpr bool needs_elements = riprap::needs_elements<BreakagePart>;
+  static constexpr bool needs_loaded_particle = riprap::needs_loaded_particle<BreakagePart>;
+  static constexpr bool has_strength_factor = HasStrengthFactor<decltype(BreakagePart::trigger)>;
+
   const BreakagePart& breakage;
   const StressPart& stress;
   const Rock& rock;

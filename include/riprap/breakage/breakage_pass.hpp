@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -16,8 +18,9 @@
 
 namespace riprap {
 
-/// Checks every free particle: loads, element stresses, failed elements, trigger, line, cut. A
-/// refused cut is not tried again until the contact partners of the particle change.
+/// Checks every free particle: loads, element stresses, failed elements, trigger, line, cut.
+/// Element stresses and failed elements are left out where neither trigger nor line fit needs them.
+/// A refused cut is not tried again until the contact partners of the particle change.
 class BreakagePass {
  public:
   using Cracks = std::vector<std::pair<BodyIndex, Crack>>;
@@ -31,7 +34,7 @@ class BreakagePass {
     const Particles& particles = input.particles;
     refused_.resize(particles.size());
     loads_.begin(input.contacts, particles.size());
-    input.operators.begin_epoch(particles.size());
+    if constexpr (Input::needs_elements) input.operators.begin_epoch(particles.size());
     const auto is_loaded = [&](BodyIndex i) {
       return particles.body(i).is_free() && !refused_.contains(particles, i, loads_.of(i)) &&
              !loads_.of(i).empty();
@@ -55,23 +58,55 @@ class BreakagePass {
   static void for_each_field(auto& self, auto&& visit) { visit("refused_cuts", self.refused_); }
 
  private:
-  // Evaluates particle i and stores its crack, or that its cut was refused.
+  // Evaluates particle i; if it breaks, stores its crack, or that its cut was refused.
   template <class Input>
   void check(const Input& input, BodyIndex i) {
-    const InfluenceOperator& op = input.operators.exact(i, input.builder(i));
-    const auto& [stress, failures] = evaluate_particle(input.breakage, input.stress.support, op,
-                                                       input.particles, i, loads_.of(i), evaluate_);
-    if (!input.breakage.trigger(failures)) return;
-    std::optional<Crack> crack =
-        find_crack(input.breakage, failures, op.sampling_points(), stress, input.particles.body(i),
-                   input.particles.ring(i), input.mean_area);
-    if (crack)
-      cracks_.emplace_back(i, std::move(*crack));
-    else
-      refused_.add(input.particles, i, loads_.of(i));
+    const auto& breakage = input.breakage;
+    constexpr bool by_loads = LoadTrigger<std::remove_cvref_t<decltype(breakage.trigger)>>;
+    const CriterionView criterion{breakage.criterion};
+    const LoadedParticle particle{input.particles, i, loads_over_strength(input, i), input.rock,
+                                  criterion};
+    FailureMode mode = FailureMode::intact;
+    if constexpr (by_loads) {
+      for (const ContactLoad& load : particle.loads()) require_finite(load);
+      mode = breakage.trigger(particle);
+      if (mode == FailureMode::intact) return;
+    }
+    std::optional<Crack> crack;
+    if constexpr (Input::needs_elements) {
+      const InfluenceOperator& op = input.operators.exact(i, input.builder(i));
+      const auto& [stress, failures] = evaluate_particle(
+          breakage, input.stress.support, op, input.particles, i, loads_.of(i), evaluate_);
+      if constexpr (!by_loads)
+        if (!fires(breakage.trigger, failures, particle)) return;
+      crack =
+          find_crack(breakage, failures, op.sampling_points(), stress, particle, input.mean_area);
+    } else if (const std::optional<Line> line = breakage.line_fit(particle)) {
+      crack = crack_along(breakage, *line, particle.ring(), input.mean_area);
+    }
+    if (!crack) return refused_.add(input.particles, i, loads_.of(i));
+    if constexpr (by_loads) crack->mode = mode;
+    cracks_.emplace_back(i, std::move(*crack));
+  }
+
+  // The loads that a LoadedParticle has.
+  template <class Input>
+  std::span<const ContactLoad> loads_over_strength(const Input& input, BodyIndex i) {
+    if constexpr (!Input::needs_loaded_particle || !Input::has_strength_factor) {
+      return loads_.of(i);
+    } else {
+      const double scale = input.scale(i);
+      over_strength_.assign(loads_.of(i).begin(), loads_.of(i).end());
+      for (ContactLoad& load : over_strength_) {
+        load.force_lab *= scale;
+        load.normal_force *= scale;
+      }
+      return over_strength_;
+    }
   }
 
   ContactLoads loads_;
+  std::vector<ContactLoad> over_strength_;
   RefusedCuts refused_;
   StressEvaluation evaluate_;
   std::vector<BodyIndex> candidates_;

@@ -24,8 +24,8 @@ namespace riprap {
 
 /// How a particle is to be split.
 struct Crack {
-  FailureCount failures;
-  FailureMode mode = FailureMode::intact;  ///< of the first failed element
+  FailureCount failures;  ///< no elements where neither trigger nor line fit needs them
+  FailureMode mode = FailureMode::intact;  ///< of the first failed element, or by the trigger
   Line line;                               ///< in laboratory coordinates
   double length = 0;                       ///< [m]
   CutRings pieces;
@@ -64,9 +64,57 @@ inline void require_whole(const CutRings& pieces, Ring ring) {
 
 }  // namespace internal
 
+/// The crack along a line and the pieces on its two sides; nothing if the splitter refuses, a piece
+/// breaks a rule of ConvexPolygon (of at most 64 vertices), or both pieces are dust. Failures and
+/// mode are left to the caller.
+/// Throws InvalidInput if the areas of the pieces do not add up to that of the ring.
+/// @param model offers `splitter`
+/// @param ring  of the particle, in laboratory coordinates
+/// @param mean_area of the intact particles [m^2]
+template <class BreakagePart>
+[[nodiscard]] std::optional<Crack> crack_along(const BreakagePart& model, const Line& line,
+                                               Ring ring, double mean_area) {
+  std::optional<CutRings> pieces = model.splitter(ring, line, mean_area);
+  if (!pieces || !try_convex_polygon(pieces->left) || !try_convex_polygon(pieces->right))
+    return std::nullopt;
+  internal::require_whole(*pieces, ring);
+  Crack crack;
+  crack.line = line;
+  if constexpr (requires { model.splitter.is_dust(pieces->left, mean_area); })
+    crack.is_dust = {model.splitter.is_dust(pieces->left, mean_area),
+                     model.splitter.is_dust(pieces->right, mean_area)};
+  if (crack.is_dust[0] && crack.is_dust[1]) return std::nullopt;
+  crack.length = 0.5 * (perimeter(pieces->left) + perimeter(pieces->right) - perimeter(ring));
+  crack.pieces = std::move(*pieces);
+  return crack;
+}
+
+namespace internal {
+
+// `draw(points, planes, mean_stress)` gives the line.
+template <class BreakagePart, class Draw>
+[[nodiscard]] std::optional<Crack>
+find_crack(const BreakagePart& model, const FailureCount& failures, const SamplingPoints& samples,
+           const ElementStress& stress, const Body& body, Ring ring, double mean_area,
+           Draw&& draw) {
+  const Stress2 first = stress[failures.first_failed];
+  const FailureMode mode = evaluate(model.criterion, first).mode;
+  const FailurePlanes planes = failure_planes(model.criterion, first.rotated(body.rotation), mode);
+  const auto points = failed_points(model.criterion, samples, stress, body);
+  const std::optional<Line> line =
+      draw(points, planes, mean_stress(samples, stress).rotated(body.rotation));
+  if (!line) return std::nullopt;
+  std::optional<Crack> crack = crack_along(model, *line, ring, mean_area);
+  if (!crack) return std::nullopt;
+  crack->failures = failures;
+  crack->mode = mode;
+  return crack;
+}
+
+}  // namespace internal
+
 /// The line through the failed elements and the pieces on its two sides; nothing if there is no
-/// line, the splitter refuses, a piece breaks a rule of ConvexPolygon (of at most 64 vertices), or
-/// both pieces are dust.
+/// line, or no crack along it. For line fits that take no LoadedParticle.
 /// Throws InvalidInput if the areas of the pieces do not add up to that of the ring, and if there
 /// are more or fewer sampling points than stresses.
 /// @param model  offers `criterion`, `line_fit` and `splitter`
@@ -79,28 +127,20 @@ template <class BreakagePart>
 [[nodiscard]] std::optional<Crack>
 find_crack(const BreakagePart& model, const FailureCount& failures, const SamplingPoints& samples,
            const ElementStress& stress, const Body& body, Ring ring, double mean_area) {
-  const Stress2 first = stress[failures.first_failed];
-  Crack crack;
-  crack.failures = failures;
-  crack.mode = evaluate(model.criterion, first).mode;
-  const FailurePlanes planes =
-      failure_planes(model.criterion, first.rotated(body.rotation), crack.mode);
-  const auto points = failed_points(model.criterion, samples, stress, body);
-  const std::optional<Line> line =
-      fit_line(model.line_fit, points, planes, mean_stress(samples, stress).rotated(body.rotation));
-  if (!line) return std::nullopt;
-  crack.line = *line;
-  std::optional<CutRings> pieces = model.splitter(ring, *line, mean_area);
-  if (!pieces || !try_convex_polygon(pieces->left) || !try_convex_polygon(pieces->right))
-    return std::nullopt;
-  internal::require_whole(*pieces, ring);
-  if constexpr (requires { model.splitter.is_dust(pieces->left, mean_area); })
-    crack.is_dust = {model.splitter.is_dust(pieces->left, mean_area),
-                     model.splitter.is_dust(pieces->right, mean_area)};
-  if (crack.is_dust[0] && crack.is_dust[1]) return std::nullopt;
-  crack.length = 0.5 * (perimeter(pieces->left) + perimeter(pieces->right) - perimeter(ring));
-  crack.pieces = std::move(*pieces);
-  return crack;
+  return internal::find_crack(
+      model, failures, samples, stress, body, ring, mean_area,
+      [&](const auto&... shown) { return fit_line(model.line_fit, shown...); });
+}
+
+/// The same for any line fit.
+/// @param particle of which the stress is
+template <class BreakagePart>
+[[nodiscard]] std::optional<Crack>
+find_crack(const BreakagePart& model, const FailureCount& failures, const SamplingPoints& samples,
+           const ElementStress& stress, const LoadedParticle& particle, double mean_area) {
+  return internal::find_crack(
+      model, failures, samples, stress, particle.body(), particle.ring(), mean_area,
+      [&](const auto&... shown) { return fit_line(model.line_fit, shown..., particle); });
 }
 
 }  // namespace riprap

@@ -12,17 +12,20 @@
 #include <vector>
 
 #include <riprap/breakage/line_fit/concepts.hpp>
+#include <riprap/conformance/loaded_sample.hpp>
 #include <riprap/conformance/violations.hpp>
 #include <riprap/core/random.hpp>
 
 namespace riprap {
 namespace internal {
 
-/// Failed elements, the failure planes of the first one and the mean stress of the particle.
+/// Failed elements, the failure planes of the first one, the mean stress of the particle, and the
+/// particle, which is about as large as the cloud.
 struct FailedCloud {
   std::vector<WeightedPoint> points;
   FailurePlanes planes;
   Stress2 mean_stress;
+  LoadedSample sample{};
 
   /// The same in a plane that was turned, drawn larger and shifted, in this order.
   [[nodiscard]] FailedCloud moved(const Rotation& turn, double scale, const Vec2& shift) const {
@@ -34,11 +37,17 @@ struct FailedCloud {
     }
     for (Vec2& direction : out.planes.directions) direction = turn * direction;
     out.mean_stress = mean_stress.rotated(turn);
+    out.sample = sample.moved(turn, scale, shift);
     return out;
   }
   template <LineFit F>
   [[nodiscard]] std::optional<Line> line(const F& fit) const {
-    return fit_line(fit, points, planes, mean_stress);
+    if constexpr (LineFitOfParticle<F>)
+      return sample.particle([&](const LoadedParticle& particle) {
+        return fit_line(fit, points, planes, mean_stress, particle);
+      });
+    else
+      return fit_line(fit, points, planes, mean_stress);
   }
 };
 
@@ -54,8 +63,9 @@ struct FailedCloud {
   Random random(1);
   Random stresses(2);
   std::vector<FailedCloud> clouds;
-  for (int i = 0; i < 50; ++i) {
+  for (const LoadedSample& sample : loaded_samples(1, 50)) {
     FailedCloud cloud;
+    cloud.sample = sample.times(1e7);
     const Rotation along = Rotation::from_angle(random.uniform(0, 3));
     for (unsigned n = random.uniform_integer(3, 40); n > 0; --n)
       cloud.points.push_back(
@@ -86,19 +96,31 @@ inline void check_same_line(std::string_view axiom, const std::optional<Line>& f
   check.equal(axiom, expected->left_distance(found->point), 0, 1e-10 * size);
 }
 
+/// That a line cuts among positions: how far the nearest side of them reaches.
+[[nodiscard]] inline double least_reach(const Line& line, std::span<const Vec2> positions) {
+  double left = -1;
+  double right = -1;
+  for (const Vec2& x : positions) {
+    left = std::max(left, line.left_distance(x));
+    right = std::max(right, -line.left_distance(x));
+  }
+  return std::min(left, right);
+}
+
 template <LineFit F>
 void check_line(const F& fit, const FailedCloud& cloud, AxiomCheck& check) {
   const std::optional<Line> line = cloud.line(fit);
   if (line) {
     check.equal("the direction is a unit vector", line->direction.norm(), 1, 1e-12);
-    double left = -1;
-    double right = -1;
-    for (const WeightedPoint& p : cloud.points) {
-      left = std::max(left, line->left_distance(p.position));
-      right = std::max(right, -line->left_distance(p.position));
+    if constexpr (LineFitOfParticle<F>) {
+      check.at_least("the line runs through the particle: reach on its other side",
+                     least_reach(*line, cloud.sample.polygon.ring()), -1e-12);
+    } else {
+      std::vector<Vec2> positions;
+      for (const WeightedPoint& p : cloud.points) positions.push_back(p.position);
+      check.at_least("the line runs among the points: reach on its other side",
+                     least_reach(*line, positions), -1e-12);
     }
-    check.at_least("the line runs among the points: reach on its other side", std::min(left, right),
-                   -1e-12);
   }
   const Vec2 shift{40, -70};
   auto moved = cloud.moved({}, 1, shift).line(fit);
@@ -116,10 +138,12 @@ void check_line(const F& fit, const FailedCloud& cloud, AxiomCheck& check) {
   other = cloud;
   for (WeightedPoint& p : other.points) p.stress = 1e-6 * p.stress;
   other.mean_stress = 1e-6 * other.mean_stress;
+  if constexpr (!LoadLineFit<F>) other.sample = other.sample.times(1e-6);
   check_same_line("in other units of stress the line is the same", other.line(fit), line, 1, check);
 
   other = cloud;
   std::reverse(other.points.begin(), other.points.end());
+  other.sample = other.sample.reversed();
   check_same_line("the order of the points does not matter", other.line(fit), line, 1, check);
 }
 
@@ -137,6 +161,7 @@ template <LineFit F>
 /// For fits that take their direction from the points: points on a straight line give that line, or
 /// none.
 template <LineFit F>
+  requires(!LoadLineFit<F>)
 [[nodiscard]] Violations line_fit_collinear_violations(const F& fit) {
   AxiomCheck check;
   for (const internal::FailedCloud& cloud : internal::failed_clouds(0)) {

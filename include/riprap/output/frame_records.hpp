@@ -120,24 +120,45 @@ template <class Sim>
   return record;
 }
 
-/// Particle i, which is about to break: pose, mesh, stresses, failed elements and contact forces.
-/// For the hook before_splits.
+namespace internal {
+
+// Mesh, stresses and failed elements of particle i; its corners alone where none are evaluated.
+template <class Sim>
+void add_elements(Record& record, const Sim& sim, BodyIndex i) {
+  ElementStress stress;
+  std::vector<Vec2> nodes(sim.particles().local_ring(i).begin(),
+                          sim.particles().local_ring(i).end());
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> failed;
+  // The stress is linear in the loads, which the trigger may scale.
+  const auto& breakage = sim.model().breakage_model;
+  const double scale = load_scale(breakage.trigger, sim.particles(), i);
+  if constexpr (Sim::needs_elements) {
+    stress = sim.element_stress(i);
+    const Mesh mesh = sim.mesh(i);
+    nodes = mesh.nodes;
+    for (const auto& t : mesh.triangles) triangles.insert(triangles.end(), t.begin(), t.end());
+    for (std::size_t k = 0; k < stress.size(); ++k)
+      failed.push_back(evaluate(breakage.criterion, scale * stress[k]).failed());
+  }
+  const auto of_points = [&](auto value) {
+    return floats(stress.size(), [&](std::size_t k) { return value(scale * stress[k]); });
+  };
+  record.add("nodes", coordinates(nodes));
+  record.add("triangles", triangles);
+  record.add("s11", of_points([](const Stress2& s) { return s.s11; }));
+  record.add("s22", of_points([](const Stress2& s) { return s.s22; }));
+  record.add("s12", of_points([](const Stress2& s) { return s.s12; }));
+  record.add("failed", failed);
+}
+
+}  // namespace internal
+
+/// Particle i, which is about to break: pose, mesh, stresses, failed elements and contact forces;
+/// corners in place of a mesh where the model evaluates no elements. For the hook before_splits.
 template <class Sim>
 [[nodiscard]] Record breaking_particle(const Sim& sim, BodyIndex i) {
   const Body& body = sim.particles().body(i);
-  const auto& breakage = sim.model().breakage_model;
-  const ElementStress stress = sim.element_stress(i);
-  const Mesh mesh = sim.mesh(i);
-  // The stress is linear in the loads, which the trigger may scale.
-  const double scale = load_scale(breakage.trigger, sim.particles(), i);
-  const auto of_points = [&](auto value) {
-    return internal::floats(stress.size(), [&](std::size_t k) { return value(scale * stress[k]); });
-  };
-  std::vector<std::uint32_t> failed;
-  for (std::size_t k = 0; k < stress.size(); ++k)
-    failed.push_back(evaluate(breakage.criterion, scale * stress[k]).failed());
-  std::vector<std::uint32_t> triangles;
-  for (const auto& t : mesh.triangles) triangles.insert(triangles.end(), t.begin(), t.end());
   std::vector<Vec2> points;
   std::vector<Vec2> forces;
   sim.contacts().for_each_touching([&](const auto& c) {
@@ -151,12 +172,7 @@ template <class Sim>
   record.add("pose", std::vector<float>{static_cast<float>(body.position.x()),
                                         static_cast<float>(body.position.y()),
                                         static_cast<float>(body.rotation.angle())});
-  record.add("nodes", internal::coordinates(mesh.nodes));
-  record.add("triangles", triangles);
-  record.add("s11", of_points([](const Stress2& s) { return s.s11; }));
-  record.add("s22", of_points([](const Stress2& s) { return s.s22; }));
-  record.add("s12", of_points([](const Stress2& s) { return s.s12; }));
-  record.add("failed", failed);
+  internal::add_elements(record, sim, i);
   record.add("points", internal::coordinates(points));
   record.add("forces", internal::coordinates(forces));
   return record;

@@ -15,10 +15,10 @@ namespace riprap {
 /// One particle has become two, or one and dust.
 struct BreakEvent {
   std::uint64_t step = 0;
-  double time = 0;                         ///< [s]
-  Ancestry particle;                       ///< the one that broke
-  FailureCount failures;                   ///< of the evaluation that broke it
-  FailureMode mode = FailureMode::intact;  ///< of the first failed element
+  double time = 0;        ///< [s]
+  Ancestry particle;      ///< the one that broke
+  FailureCount failures;  ///< of the evaluation that broke it; no elements if none are needed
+  FailureMode mode = FailureMode::intact;  ///< of the first failed element, or by the trigger
   Line line;                               ///< the crack, in laboratory coordinates
   std::array<ParticleId, 2> pieces{no_particle, no_particle};  ///< left, right; no_particle: dust
   std::array<double, 2> areas{0, 0};                           ///< [m^2]

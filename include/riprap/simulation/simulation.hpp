@@ -48,6 +48,9 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
                                decltype(ModelType::acceleration_model.neighbour_list),
                                decltype(ModelType::acceleration_model.detection)>;
   static constexpr bool breakable = !decltype(ModelType::breakage_model)::never_fails;
+  /// Whether a step may evaluate finite elements.
+  static constexpr bool needs_elements =
+      breakable && riprap::needs_elements<decltype(ModelType::breakage_model)>;
 
   /// Throws InvalidInput if the model, the assembly or the rock breaks a rule.
   Simulation(ModelType model, const Assembly& assembly, const Rock& rock)

@@ -84,9 +84,10 @@ class StressQueries {
     return query(i).sampling_points(i);
   }
   [[nodiscard]] Mesh mesh(BodyIndex i) const { return query(i).mesh(i); }
-  /// Rat of every particle now (0 for driven and unloaded ones), in the order of the bodies.
+  /// Rat of every particle now (0 for driven and unloaded ones, and for all where neither trigger
+  /// nor line fit needs elements), in the order of the bodies.
   [[nodiscard]] std::vector<double> failed_ratios() const {
-    if constexpr (Sim::breakable)
+    if constexpr (Sim::needs_elements)
       return sim().stress_query().failed_ratios();
     else
       return std::vector<double>(sim().particles().size(), 0);

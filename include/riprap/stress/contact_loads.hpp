@@ -9,6 +9,7 @@
 
 #include <riprap/contact/concepts.hpp>
 #include <riprap/contact/pair/pair_index.hpp>
+#include <riprap/core/errors.hpp>
 #include <riprap/core/execution/concepts.hpp>
 #include <riprap/core/vec2.hpp>
 
@@ -22,6 +23,12 @@ struct ContactLoad {
   BodyIndex partner = 0;
   PairSide side{};
 };
+
+/// Throws InvalidInput for a load that is not finite.
+inline void require_finite(const ContactLoad& load) {
+  require_finite("sum of a contact's arm and force",
+                 load.arm_lab.x() + load.arm_lab.y() + load.force_lab.x() + load.force_lab.y());
+}
 
 /// The load of a contact on one of its two bodies.
 template <class ContactType>

@@ -38,8 +38,7 @@ class StressEvaluation {
                                   double scale) {
     balanced_.clear();
     for (const ContactLoad& load : loads) {
-      require_finite("sum of a contact's arm and force",
-                     load.arm_lab.x() + load.arm_lab.y() + load.force_lab.x() + load.force_lab.y());
+      require_finite(load);
       balanced_.push_back({op.locator().nearest(rotation.inverse_times(load.arm_lab)).at,
                            rotation.inverse_times(load.force_lab), load.normal_force});
     }

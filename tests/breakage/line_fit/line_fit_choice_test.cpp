@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <riprap/breakage/line_fit/weighted_xy_by_mean_stress.hpp>
+#include <riprap/conformance/loaded_sample.hpp>
 #include <support/point_clouds.hpp>
 
 using namespace riprap;
@@ -28,6 +29,24 @@ struct ForgetsThePlanes {
 
 static_assert(LineFit<AlongPlane>);
 static_assert(!LineFit<ForgetsThePlanes>);
+
+// By the loads alone.
+struct AcrossTheMeanStress {
+  std::optional<Line> operator()(const LoadedParticle& particle) const {
+    return Line{particle.centroid(), particle.mean_stress().principal().major_direction};
+  }
+};
+struct ToTheFirstLoad {
+  std::optional<Line> operator()(const LoadedParticle& particle) const {
+    return Line{particle.centroid(), particle.loads()[0].arm_lab.normalized()};
+  }
+};
+using LoadChoice = LineFitChoice<AcrossTheMeanStress, ToTheFirstLoad>;
+using MixedChoice = LineFitChoice<WeightedXYByMeanStress, ToTheFirstLoad>;
+static_assert(!LineFitOfParticle<Choice>);
+static_assert(LoadLineFit<LoadChoice>);
+static_assert(LineFitOfParticle<MixedChoice>);
+static_assert(!LoadLineFit<MixedChoice>);
 
 template <class Fit>
 void check_same(const Fit& fit) {
@@ -56,4 +75,22 @@ TEST_CASE("a chosen line fit gives the same bits as the fit itself") {
   check_same(WeightedY{});
   check_same(AlongPlane{});
   check_same(WeightedXYByMeanStress{});
+}
+
+TEST_CASE("a choice among fits by loads needs no elements, a mixed one passes both on") {
+  const internal::LoadedSample sample = internal::loaded_samples(0.016, 1)[0];
+  sample.particle([](const LoadedParticle& particle) {
+    const auto first = ToTheFirstLoad{}(particle);
+    const auto across = AcrossTheMeanStress{}(particle);
+    CHECK(LoadChoice{ToTheFirstLoad{}}(particle)->direction == first->direction);
+    CHECK(LoadChoice{AcrossTheMeanStress{}}(particle)->direction == across->direction);
+    FailurePlanes planes;
+    const Cloud cloud = scattered_points();
+    const Stress2 mean{-1, 3, 0.5};
+    const auto fitted = WeightedXYByMeanStress{}(cloud, planes, mean);
+    CHECK(MixedChoice{ToTheFirstLoad{}}(cloud, planes, mean, particle)->direction ==
+          first->direction);
+    CHECK(MixedChoice{WeightedXYByMeanStress{}}(cloud, planes, mean, particle)->point ==
+          fitted->point);
+  });
 }

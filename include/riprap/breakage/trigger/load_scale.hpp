@@ -12,10 +12,8 @@ namespace riprap {
 /// triggers that have one; the criterion stays as it is.
 template <Trigger T>
 [[nodiscard]] double load_scale(const T& trigger, const Particles& particles, BodyIndex i) {
-  const ParticleId id = particles.ancestry(i).id;
-  const double area = particles.shape(i).area;
-  if constexpr (requires { trigger.strength_factor(id, area); })
-    return 1 / trigger.strength_factor(id, area);
+  if constexpr (HasStrengthFactor<T>)
+    return 1 / trigger.strength_factor(particles.ancestry(i).id, particles.shape(i).area);
   else
     return 1;
 }
