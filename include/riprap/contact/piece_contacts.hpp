@@ -30,7 +30,9 @@ class PieceContacts {
     for (const PairSide side : table.index().of(parent)) {
       forget(side.pair());
       const ContactType& pair = table.pairs()[side.pair()];
-      if (pair.touching) histories.add(pair);
+      if (!pair.touching) continue;
+      histories.add(pair);
+      bodies_.insert(bodies_.end(), {pair.a, pair.b});
     }
   }
   void add(BodyIndex piece) { pieces_.push_back(piece); }
@@ -47,14 +49,14 @@ class PieceContacts {
     for (const BodyIndex piece : pieces_)
       for (const PairSide side : table.index().of(piece)) pairs_.push_back(side.pair());
     sort_unique(pairs_);
-    bodies_.assign(pieces_.begin(), pieces_.end());
+    bodies_.insert(bodies_.end(), pieces_.begin(), pieces_.end());
     for (const std::uint32_t k : pairs_) {
       ContactType& contact = table.pairs()[k];
       const bool touched = contact.touching;
       contact.cache = {};  // of the parent's shape
       const bool touches = find_contact(contact, particles, narrow, domain);
       if (touched != touches) table.list_touching(k);
-      if (touched || touches) bodies_.insert(bodies_.end(), {contact.a, contact.b});
+      if (touches) bodies_.insert(bodies_.end(), {contact.a, contact.b});
     }
     histories.hand_over(law, [&](const ContactType& of) { return table.list().find_touching(of); });
     for (const std::uint32_t k : pairs_) {
@@ -67,6 +69,7 @@ class PieceContacts {
       particles.body(i).contact =
           sum_forces(table.index().of(i), std::span<const ContactType>(table.pairs()));
     pieces_.clear();
+    bodies_.clear();
   }
 
   DividedContacts<ContactType> histories;
@@ -79,9 +82,8 @@ class PieceContacts {
   }
 
   std::vector<BodyIndex> pieces_;
-  // Workspaces of `update`.
-  std::vector<std::uint32_t> pairs_;
-  std::vector<BodyIndex> bodies_;
+  std::vector<BodyIndex> bodies_;     // that touch a parent or a piece
+  std::vector<std::uint32_t> pairs_;  // workspace of `update`
 };
 
 }  // namespace riprap
