@@ -206,6 +206,22 @@ TEST_CASE("bad paths are named") {
                        InvalidInput);
 }
 
+TEST_CASE("an error of a step says in which stage") {
+  Unbreakable sim = loose_sample();
+  LoadingPath<> path;
+  // Away from the target: particles are pressed into each other.
+  path.stages = {straining(1, StressReached{.stress = -1e6})};
+  path.stages[0].axis_1 = EngineeringRate{.rate_of_strain = {.per_second = 1000}};
+  path.stages[0].axis_2 = EngineeringRate{.rate_of_strain = {.per_second = 1000}};
+  std::string message;
+  try {
+    (void)path.run(sim);
+  } catch (const SimulationError& error) {
+    message = error.what();
+  }
+  CHECK(message.starts_with("stage 'straining': particle "));
+}
+
 TEST_CASE("a path without stages is finished at once") {
   Unbreakable sim = loose_sample();
   CHECK(LoadingPath<>{}.run(sim).stages.empty());

@@ -123,7 +123,8 @@ Cells curve_cells(const CurvePoint& p) {
           {"overlap_ratio", p.overlap_ratio},
           {"kinetic_ratio", p.state.kinetic_ratio()},
           {"energy_error", p.energy_error()},
-          {"lost_particles", static_cast<double>(p.lost_particles)}};
+          {"lost_particles", static_cast<double>(p.lost_particles)},
+          {"stage_index", static_cast<double>(p.stage_index)}};
 }
 
 Cells energy_cells(const CurvePoint& p) {
@@ -196,7 +197,7 @@ TEST_CASE("the columns of curve.csv keep their published names and order") {
         "contacts_per_particle,coordination_number,particles,breakages,a,a_n,a_t,b_n,b_t,theta_0,"
         "theta_f,theta_t,sin_phi_fabric,sin_phi_fabric_simplified,sin_phi_fabric_full,"
         "inertial_number,unbalanced_force,overlap_ratio,kinetic_ratio,energy_error,"
-        "lost_particles\n");
+        "lost_particles,stage_index\n");
 }
 
 TEST_CASE("curve.csv has a line per record, and each column holds what its name says") {

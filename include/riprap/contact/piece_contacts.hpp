@@ -53,7 +53,7 @@ class PieceContacts {
     for (const std::uint32_t k : pairs_) {
       ContactType& contact = table.pairs()[k];
       const bool touched = contact.touching;
-      contact.cache = {};  // of the parent's shape
+      contact.cache = decltype(contact.cache){};  // of the parent's shape
       const bool touches = find_contact(contact, particles, narrow, domain);
       if (touched != touches) table.list_touching(k);
       if (touches) bodies_.insert(bodies_.end(), {contact.a, contact.b});

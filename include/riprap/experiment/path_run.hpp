@@ -125,8 +125,8 @@ class PathRun {
     view_.stage_name = stage().name;
     view_.stage_index = index_;
     view_.loading_stage = static_cast<std::size_t>(
-        std::count_if(stages_.begin(), stages_.begin() + static_cast<std::ptrdiff_t>(index_),
-                      [](const StageT& s) { return s.part == Stage::loading; }));
+        std::ranges::count(stages_.begin(), stages_.begin() + static_cast<std::ptrdiff_t>(index_),
+                           Stage::loading, &StageT::part));
   }
 
   void open_stage() {
@@ -202,7 +202,8 @@ class PathRun {
 
   void step() {
     const std::size_t breaks = sim_.breaks().size();
-    std::apply([&](auto&... o) { sim_.step(o...); }, step_observers_);
+    internal::naming_stage(
+        stage().name, [&] { std::apply([&](auto&... o) { sim_.step(o...); }, step_observers_); });
     view_.stretch -= sim_.time_step() * componentwise_product(view_.rate, view_.stretch);
     view_.area = zero_area_ * view_.stretch.x() * view_.stretch.y();
     view_.known_stress.reset();
@@ -255,9 +256,8 @@ class PathRun {
   }
 
   void tick() {
-    const auto now = Clock::now();
-    result_.stages[index_].wall_seconds += std::chrono::duration<double>(now - clock_).count();
-    clock_ = now;
+    const auto last = std::exchange(clock_, Clock::now());
+    result_.stages[index_].wall_seconds += std::chrono::duration<double>(clock_ - last).count();
   }
   // The share only ever grows, whatever estimate it comes from.
   void progress(double done) {

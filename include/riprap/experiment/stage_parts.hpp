@@ -5,14 +5,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <type_traits>
 #include <variant>
 
+#include <riprap/core/errors.hpp>
 #include <riprap/core/vec2.hpp>
 #include <riprap/experiment/loading_concepts.hpp>
 #include <riprap/experiment/path_result.hpp>
 
 namespace riprap::internal {
+
+/// A SimulationError that `work` throws says the stage as well.
+template <class Work>
+void naming_stage(const std::string& name, Work&& work) {
+  try {
+    work();
+  } catch (const SimulationError& error) {
+    throw SimulationError("stage '" + name + "': " + error.what());
+  }
+}
 
 [[gnu::cold]] void begin_axis(auto& control, const auto& view, int axis) {
   std::visit([&](auto& c) { begin_part(c, view, axis); }, control);

@@ -73,6 +73,7 @@ RIPRAP_INLINE CsvColumns<CurvePoint> curve_columns() {
       {"kinetic_ratio", [](const P& p) { return cell(p.state.kinetic_ratio()); }},
       {"energy_error", [](const P& p) { return cell(p.energy_error()); }},
       {"lost_particles", [](const P& p) { return cell(p.lost_particles); }},
+      {"stage_index", [](const P& p) { return cell(p.stage_index); }},
   };
   return internal::named_columns(cells);
 }
