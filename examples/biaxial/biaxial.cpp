@@ -30,9 +30,16 @@ Outcome run_chosen(const Options& options) {
 
 int main(int argc, char** argv) {
   const Options options = read_options(argc, argv);
-  if (!options.resume.empty() && is_finished(options.resume)) {
-    std::printf("the run in %s is finished\n", options.resume.c_str());
-    return command_line::finished;
+  if (const std::optional<double> reached =
+          options.resume.empty() ? std::nullopt : finished_strain(options.resume)) {
+    std::printf("the run in %s is finished, at an axial strain of %g\n", options.resume.c_str(),
+                *reached);
+    if (options.test.axial_strain == *reached) return command_line::finished;
+    std::fprintf(stderr,
+                 "error: --strain = %g: a finished run has no checkpoint to go on from; begin one "
+                 "with this strain\n",
+                 options.test.axial_strain);
+    return command_line::wrong_command;
   }
   return command_line::run_program(options.names, [&] {
     return run_chosen(options) == Outcome::finished ? command_line::finished : command_line::failed;

@@ -23,12 +23,18 @@ inline void remove_checkpoints(const std::filesystem::path& folder) {
   std::filesystem::remove(of, ignored);  // fails, as it should, where something else is in it
 }
 
-// Goes on from the newest checkpoint of the folder.
+// Goes on from the newest checkpoint of the folder. Throws InvalidInput if it has gone past the
+// axial strain of the options.
 template <class Run, class Sim, class... Observers>
 void resume(const Options& o, Run& run, Sim& sim, Observers&... observers) {
   const auto warn = [](const char* message) { std::fprintf(stderr, "warning: %s\n", message); };
   const auto file =
       riprap::CheckpointFolder(checkpoint_folder(o.out)).read_newest(warn, sim, run, observers...);
+  if (run.view().stage == riprap::Stage::shear)
+    riprap::require(o.test.axial_strain >= run.view().axial_strain(), "BiaxialTest.axial_strain",
+                    o.test.axial_strain,
+                    "must not be below that of the checkpoint, " +
+                        riprap::to_text(run.view().axial_strain()));
   std::fprintf(stderr, "going on from %s\n", file.string().c_str());
 }
 

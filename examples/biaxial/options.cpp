@@ -23,7 +23,7 @@ void add_program(OptionTable& table, Options& o) {
   table.add_text("--out", o.out, "folder for the results");
   table.add_text("--resume", o.resume,
                  "go on with the run in this folder, from its last checkpoint, with its options; "
-                 "beside it only --strain and those of this group");
+                 "beside it only --strain, --threads, --timer and --checkpoint-every");
   table.add_number("--checkpoint-every", o.checkpoint_every, "checkpoint_every",
                    "steps between checkpoints; 0: only when SIGINT, SIGTERM or SIGUSR1 comes");
   table.add_number("--threads", o.threads, "Threads.count", "that share the work")

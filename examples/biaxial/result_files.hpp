@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -39,11 +40,12 @@ inline void remove_results(const std::filesystem::path& folder) {
   remove_checkpoints(folder);
 }
 
-// Whether a run has left all its results in a folder.
-inline bool is_finished(const std::filesystem::path& folder) {
+// The axial strain at which a run has finished that left all its results in a folder.
+inline std::optional<double> finished_strain(const std::filesystem::path& folder) {
   std::ifstream file(folder / "summary.json");
   const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
-  return summary.is_object() && summary.value("status", "") == "finished";
+  if (!summary.is_object() || summary.value("status", "") != "finished") return std::nullopt;
+  return summary.at("/parameters/test/axial_strain"_json_pointer).get<double>();
 }
 
 // Those that are there, separated by commas.

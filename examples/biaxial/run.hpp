@@ -136,6 +136,8 @@ struct OptionalFrames {
   void record_break(const riprap::BiaxialView<Sim>& view, const riprap::BreakEvent& event) {
     if (wanted) frames.record_break(view, event);
   }
+  // For checkpoints.
+  [[nodiscard]] std::string appended_file() const { return frames.appended_file(); }
 
   static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) { visit("frames", self.frames); }
@@ -176,7 +178,7 @@ Outcome run(const Options& o, ModelType model, Observers&... observers) {
   const bool resumes =
       !o.resume.empty() && !CheckpointFolder(checkpoint_folder(folder)).files().empty();
   if (!resumes) remove_results(folder);
-  write_file(folder / "parameters.toml", o.toml);
+  if (!resumes) write_file(folder / "parameters.toml", o.toml);
   Curve curve;
   CurveFiles tables{curve, folder, resumes ? OldFile::keep : OldFile::replace};
   OptionalSeries series{o.paraview, ParaViewSeries{paraview_folder(folder)}};
@@ -184,8 +186,10 @@ Outcome run(const Options& o, ModelType model, Observers&... observers) {
   Pictures pictures{folder};
   Progress progress;
   auto test = o.test.start(sim, curve, tables, series, frames, pictures, progress, observers...);
-  if (resumes)
+  if (resumes) {
     resume(o, test, sim, curve, tables, series, frames, pictures, progress, observers...);
+    write_file(folder / "parameters.toml", o.toml);
+  }
   try {
     run_with_checkpoints(o, test, sim, curve, tables, series, frames, pictures, progress,
                          observers...);

@@ -2,7 +2,9 @@
 // replay: packs the frames of a run into one HTML page that plays them, needing no network
 
 #include <cstdio>
+#include <filesystem>
 
+#include <riprap/core/errors.hpp>
 #include <riprap/output/file.hpp>
 
 #include "../command_line/program.hpp"
@@ -13,6 +15,10 @@
 int main(int argc, char** argv) {
   const replay::Options options = replay::read_options(argc, argv);
   return command_line::run_program(options.names, [&] {
+    if (!std::filesystem::exists(options.frames_file()))
+      throw riprap::InvalidInput(options.frames_file() +
+                                 " is not there: only a run with frames (examples/run biaxial "
+                                 "--frames) can be replayed");
     const replay::RecordedRun run = replay::read_run(options.frames_file(), options.every);
     const std::string page = replay::page_of(run, options.title());
     riprap::write_file(options.out_file(), page);
