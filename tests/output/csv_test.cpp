@@ -76,6 +76,7 @@ Curve uneven_curve(int records) {
   test::StillSample sample{
       test::Cross{.depths = {2.7e-5, 1e-5, -1e-5, 2.3e-5}, .slide = 1.3e-3, .turn = 0.3}};
   auto view = test::view_of(sample);
+  view.stage_index = 11;
   curve.begin_stage(view);
   for (int k = 0; k < records; ++k) {
     sample.set_loss(1e-4);
