@@ -19,8 +19,9 @@ namespace riprap {
 /// spheres (Russell and Muir Wood 2009, Ciantia et al. 2015). The mode is shear: Hertz's contact of
 /// cylinders has its largest shear stress, 0.30 of the pressure, below the surface, and no tension.
 struct HertzianStrength {
-  double pressure =
-      658e6;  ///< largest that a contact bears [Pa]; 12 MPa of E* for the default rock
+  /// Largest that a contact bears [Pa]; for the default rock it is that of a disc at which
+  /// 2 F / (pi D t) is 12 MPa.
+  double pressure = 658e6;
 
   [[nodiscard]] FailureMode operator()(const LoadedParticle& particle) const {
     double force = 0;
