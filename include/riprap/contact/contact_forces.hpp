@@ -28,8 +28,8 @@ template <class ContactType, class Domain>
 
 /// Velocity of b's image relative to a at their contact [m/s].
 template <class ContactType, class Domain>
-[[nodiscard]] Vec2 relative_velocity(const ContactType& contact, const Particles& particles,
-                                     const Domain& domain) {
+[[nodiscard, gnu::always_inline]] inline Vec2
+relative_velocity(const ContactType& contact, const Particles& particles, const Domain& domain) {
   const Vec2 b = particles.body(contact.b).velocity_at(contact.arm_b);
   const Vec2 a = particles.body(contact.a).velocity_at(contact.arm_a);
   Vec2 relative{b.x() - a.x(), b.y() - a.y()};
@@ -49,7 +49,8 @@ template <class ContactType, class Domain>
 
 /// Lever arms of a contact from the centroids of its bodies; platens have none.
 template <class ContactType, class Domain>
-void find_arms(ContactType& contact, const Body& a, const Body& b, const Domain& domain) {
+[[gnu::always_inline]] inline void find_arms(ContactType& contact, const Body& a, const Body& b,
+                                             const Domain& domain) {
   const Vec2& at_a = contact.geometry.point;
   const Vec2 at_b = contact.geometry.point - image_offset(contact, domain);
   // Written as vectors: they are read as vectors soon after, and reading two scalar stores as one
@@ -60,10 +61,13 @@ void find_arms(ContactType& contact, const Body& a, const Body& b, const Domain&
 }
 
 /// The force of a touching pair at the present poses. Books it in the pair; returns what it loses.
+/// Inlined into the loop over all contacts although breaks call it, too; a step is slower
+/// otherwise.
 /// @param time_step [s] of the motion that led here
 template <class ContactType, class Law, class Domain>
-ContactForce find_force(ContactType& contact, const Particles& particles, const Law& law,
-                        const Domain& domain, double time_step) {
+[[gnu::always_inline]] inline ContactForce find_force(ContactType& contact,
+                                                      const Particles& particles, const Law& law,
+                                                      const Domain& domain, double time_step) {
   const Body& a = particles.body(contact.a);
   const Body& b = particles.body(contact.b);
   find_arms(contact, a, b, domain);

@@ -32,8 +32,8 @@ evaluate_narrow_phase(ContactType& contact, const Particles& particles, const Na
 
 /// Finds whether and how a pair touches; a contact that begins starts without history.
 template <class ContactType, class Narrow, class Domain>
-bool find_contact(ContactType& contact, const Particles& particles, const Narrow& narrow,
-                  const Domain& domain) {
+[[gnu::always_inline]] inline bool find_contact(ContactType& contact, const Particles& particles,
+                                                const Narrow& narrow, const Domain& domain) {
   const std::optional<ContactGeometry> geometry =
       evaluate_narrow_phase(contact, particles, narrow, domain);
   if (geometry) {
