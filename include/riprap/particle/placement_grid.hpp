@@ -41,6 +41,13 @@ struct RandomPolygons {
   return {half * stretch, half / stretch};
 }
 
+/// A place in a rectangle about the origin.
+/// @param half of its width and height [m]
+[[nodiscard]] inline Vec2 place_in_box(const Vec2& half, Random& random) {
+  const double x = random.uniform(-half.x(), half.x());
+  return {x, random.uniform(-half.y(), half.y())};
+}
+
 /// Buckets of placed polygons, so that a new one is tested against its neighbourhood only. A cell
 /// is at least twice as wide as any vertex is far from its centroid: a sharp tip reaches farther
 /// than half the diameter.

@@ -74,9 +74,7 @@ struct RectangularRing {
     }
   }
   [[nodiscard]] Vec2 inside(double margin, Random& random) const {
-    const Vec2 reach = half - Vec2{margin, margin};
-    const double x = random.uniform(-reach.x(), reach.x());
-    return {x, random.uniform(-reach.y(), reach.y())};
+    return place_in_box(half - Vec2{margin, margin}, random);
   }
 
  private:

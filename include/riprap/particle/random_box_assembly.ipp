@@ -8,16 +8,6 @@
 
 namespace riprap {
 
-namespace internal {
-
-/// A place in a rectangle about the origin.
-[[nodiscard]] RIPRAP_INLINE Vec2 place_in_box(const Vec2& half, Random& random) {
-  const double x = random.uniform(-half.x(), half.x());
-  return {x, random.uniform(-half.y(), half.y())};
-}
-
-}  // namespace internal
-
 RIPRAP_INLINE Assembly random_platen_assembly(const RandomAssembly& options) {
   options.validate();
   Random random(options.seed);
