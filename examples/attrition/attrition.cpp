@@ -13,7 +13,6 @@
 
 #include "../command_line/program.hpp"
 #include "../shear_tests/cell_results.hpp"
-#include "../shear_tests/progress_line.hpp"
 
 namespace {
 
@@ -47,36 +46,17 @@ double per_work(const CellResult& r) {
   return r.records.back().detached / (1e-3 * r.records.back().work);
 }
 
-struct Plan {
-  double normal_stress;
-  double inertial_number;
-  std::string name;
-
-  // In any unit.
-  [[nodiscard]] double work() const { return 1 / (inertial_number * std::sqrt(normal_stress)); }
-};
-
 std::vector<CellSeries> make_tests(const Options& o) {
-  std::vector<Plan> plans;
-  for (const double s : o.normal_stresses) plans.push_back({s, o.inertial_number, stress_text(s)});
+  std::vector<CellPlan> plans;
+  const auto add = [&](const std::string& name, double stress, double inertial_number) {
+    plans.push_back(
+        {name,
+         {.normal_stress = stress, .inertial_number = inertial_number, .seed = o.assembly.seed}});
+  };
+  for (const double s : o.normal_stresses) add(stress_text(s), s, o.inertial_number);
   const double last = o.normal_stresses.back();
-  plans.push_back({last, faster * o.inertial_number, stress_text(last) + ", fast"});
-  double all_work = 0;
-  for (const Plan& p : plans) all_work += o.samples * p.work();
-  ProgressLine line(all_work);
-  std::vector<CellSeries> all;
-  for (const Plan& p : plans) {
-    CellSeries& series = all.emplace_back(CellSeries{.name = p.name});
-    for (unsigned k = 0; k < o.samples; ++k) {
-      const CellTest test{.normal_stress = p.normal_stress,
-                          .inertial_number = p.inertial_number,
-                          .seed = o.assembly.seed + k};
-      line.begin(p.name + ", seed " + std::to_string(test.seed), p.work());
-      series.results.push_back(sheared_cell(o, test, [&](double share) { line.at(share); }));
-    }
-  }
-  line.end();
-  return all;
+  add(stress_text(last) + ", fast", last, faster * o.inertial_number);
+  return run_cells(o, plans);
 }
 
 Json summary(const Options& o, const std::vector<CellSeries>& all) {

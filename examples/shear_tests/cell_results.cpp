@@ -1,11 +1,34 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "cell_results.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include <riprap/output/csv.hpp>
 
+#include "progress_line.hpp"
+
 namespace shear_tests {
+
+double CellPlan::work() const { return 1 / (test.inertial_number * std::sqrt(test.normal_stress)); }
+
+std::vector<CellSeries> run_cells(const Options& o, const std::vector<CellPlan>& plans) {
+  double all_work = 0;
+  for (const CellPlan& p : plans) all_work += o.samples * p.work();
+  ProgressLine line(all_work);
+  std::vector<CellSeries> all;
+  for (const CellPlan& p : plans) {
+    CellSeries& series = all.emplace_back(CellSeries{.name = p.name});
+    for (unsigned k = 0; k < o.samples; ++k) {
+      CellTest test = p.test;
+      test.seed += k;
+      line.begin(p.name + ", seed " + std::to_string(test.seed), p.work());
+      series.results.push_back(sheared_cell(o, test, [&](double share) { line.at(share); }));
+    }
+  }
+  line.end();
+  return all;
+}
 
 std::string table(const std::vector<CellSeries>& all) {
   using Row = std::pair<const CellResult*, const CellRecord*>;

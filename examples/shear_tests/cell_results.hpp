@@ -34,6 +34,19 @@ struct CellSeries {
   }
 };
 
+// All tests of a series: a name, and the test of its first sample.
+struct CellPlan {
+  std::string name{};
+  CellTest test{};
+
+  // Of a sample, in any unit: it goes with the number of steps.
+  [[nodiscard]] double work() const;
+};
+
+// Options.samples tests of each plan, of seeds one apart from that of the plan on; shows progress.
+[[nodiscard]] std::vector<CellSeries> run_cells(const Options& options,
+                                                const std::vector<CellPlan>& plans);
+
 // The mean of `value(record)` over the last part of a test, by a share of its records.
 template <class Value>
 [[nodiscard]] double mean_at_end(const CellResult& r, double share, Value&& value) {

@@ -13,7 +13,6 @@
 
 #include "../command_line/program.hpp"
 #include "../shear_tests/cell_results.hpp"
-#include "../shear_tests/progress_line.hpp"
 
 namespace {
 
@@ -59,23 +58,14 @@ double work_error(const CellResult& r) {
 }
 
 std::vector<CellSeries> make_tests(const ShearOptions& o) {
-  double work = 0;
-  for (const double s : o.normal_stresses) work += o.samples / std::sqrt(s);
-  ProgressLine line(work);
-  std::vector<CellSeries> all;
-  for (const double stress : o.normal_stresses) {
-    CellSeries& series = all.emplace_back(CellSeries{.name = stress_text(stress)});
-    for (unsigned k = 0; k < o.samples; ++k) {
-      const CellTest test{.normal_stress = stress,
-                          .inertial_number = o.inertial_number,
-                          .constant_volume = o.control == "volume",
-                          .seed = o.assembly.seed + k};
-      line.begin(series.name + ", seed " + std::to_string(test.seed), 1 / std::sqrt(stress));
-      series.results.push_back(sheared_cell(o, test, [&](double share) { line.at(share); }));
-    }
-  }
-  line.end();
-  return all;
+  std::vector<CellPlan> plans;
+  for (const double stress : o.normal_stresses)
+    plans.push_back({stress_text(stress),
+                     {.normal_stress = stress,
+                      .inertial_number = o.inertial_number,
+                      .constant_volume = o.control == "volume",
+                      .seed = o.assembly.seed}});
+  return run_cells(o, plans);
 }
 
 Json series_json(const CellSeries& s) {
