@@ -63,6 +63,6 @@ if(TARGET nlohmann_json::nlohmann_json AND TARGET CLI11::CLI11)
     LIBRARIES riprap_command_line SOURCES single_particle/options.cpp single_particle/analysis.cpp)
   # What the examples of shear tests have in common, and what tests check of each.
   riprap_example_part(riprap_shear_tests LIBRARIES riprap_command_line riprap_run_table
-    SOURCES shear_tests/options.cpp shear_tests/progress_line.cpp shear_tests/results.cpp
+    SOURCES shear_tests/options.cpp shear_tests/results.cpp
             shear_tests/cell_results.cpp study/statistics.cpp direct_shear/shear_box.cpp direct_shear/features.cpp)
 endif()

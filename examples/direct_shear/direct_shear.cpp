@@ -12,7 +12,7 @@
 #include <riprap/output/file.hpp>
 
 #include "../command_line/program.hpp"
-#include "../shear_tests/progress_line.hpp"
+#include "../run_table/progress_line.hpp"
 #include "../shear_tests/results.hpp"
 #include "features.hpp"
 
@@ -53,7 +53,7 @@ struct Series {
 std::vector<Series> make_tests(const Options& o) {
   double work = 0;
   for (const double s : o.normal_stresses) work += o.samples / std::sqrt(s);
-  shear_tests::ProgressLine line(work);
+  run_table::ProgressLine line(work);
   std::vector<Series> all;
   for (const double stress : o.normal_stresses) {
     Series& series = all.emplace_back(Series{.normal_stress = stress});

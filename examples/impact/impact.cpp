@@ -19,7 +19,7 @@
 
 #include "../command_line/option_table.hpp"
 #include "../command_line/program.hpp"
-#include "../shear_tests/progress_line.hpp"
+#include "../run_table/progress_line.hpp"
 #include "../shear_tests/results.hpp"
 #include "shot_picture.hpp"
 
@@ -113,7 +113,7 @@ Shot shoot(const Options& o, double speed, std::uint64_t seed) {
 using Shots = std::vector<Shot>;  // at one speed
 
 std::vector<Shots> all_shots(const Options& o) {
-  shear_tests::ProgressLine line(static_cast<double>(o.speeds.size()));
+  run_table::ProgressLine line(static_cast<double>(o.speeds.size()));
   std::vector<Shots> all;
   for (const double speed : o.speeds) {
     line.begin(to_text(speed) + " m/s", 1);

@@ -67,12 +67,14 @@ bool run_case(const TestCase& test, const Options& o) {
   const fs::path folder = fs::path(o.out) / test.name;
   empty_folder(folder);
   std::vector<Run> runs;
+  run_table::ProgressLine progress(static_cast<double>(plan.size()));
   for (const PlannedRun& planned : plan) {
     const fs::path run_folder = folder / "runs" / planned.name();
     riprap::make_folder(run_folder.string());
-    runs.push_back(run_path(planned, run_folder, {runs.size(), plan.size()}));
+    runs.push_back(run_path(planned, run_folder, progress));
     if (runs.back().interrupted) return false;
   }
+  progress.end();
 
   const Findings findings = test.find(o, runs);
   riprap::chart_sheet(findings.charts).save((folder / "curves.svg").string());

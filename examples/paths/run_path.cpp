@@ -3,9 +3,6 @@
 
 #include "run_path.hpp"
 
-#include <chrono>
-#include <cstdio>
-
 #include <riprap/experiment/loading_path.hpp>
 #include <riprap/experiment/validity_check.hpp>
 #include <riprap/measurement/breakage_indices.hpp>
@@ -14,10 +11,6 @@
 #include <riprap/output/curve_files.hpp>
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
-
-#if __has_include(<unistd.h>)
-#include <unistd.h>
-#endif
 
 #include "../command_line/stop_signal.hpp"
 
@@ -45,66 +38,19 @@ struct Measures {
   }
 };
 
-// An observer that says how far all runs are, and ends the run on a signal.
-class Watch {
- public:
-  Watch(std::string name, const Turn& turn, std::size_t stages)
-      : name_(std::move(name)), turn_(turn), stages_(stages) {}
+// An observer that says how far the run is, and ends it on a signal.
+struct Watch {
+  run_table::ProgressLine& line;
+  std::size_t stages;
 
   template <class Sim>
   void progress(const riprap::LoadingView<Sim>& view) {
-    const auto now = Clock::now();
-    if (seconds(last_, now) < (in_place() ? 0.25 : 10)) return;
-    last_ = now;
-    const double share =
-        (static_cast<double>(view.stage_index) + view.done) / static_cast<double>(stages_);
-    print(view.name(), share, view.sim.breaks().size());
+    line.at((static_cast<double>(view.stage_index) + view.done) / static_cast<double>(stages));
   }
   template <class Sim>
   [[nodiscard]] bool stop_requested(const riprap::LoadingView<Sim>& /*view*/) const {
     return command_line::stop_signal != 0;
   }
-  void end(std::size_t breakages) const {
-    print("done", 1, breakages);
-    if (in_place()) std::fputc('\n', stderr);
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  [[nodiscard]] static double seconds(Clock::time_point from, Clock::time_point to) {
-    return std::chrono::duration<double>(to - from).count();
-  }
-  [[nodiscard]] static bool in_place() {
-#if __has_include(<unistd.h>)
-    return isatty(fileno(stderr)) != 0;
-#else
-    return false;
-#endif
-  }
-
-  void print(std::string_view stage, double share, std::size_t breakages) const {
-    const double elapsed = seconds(begun(), Clock::now());
-    const double done =
-        (static_cast<double>(turn_.number) + share) / static_cast<double>(turn_.count);
-    char text[200];
-    std::snprintf(text, sizeof text, "run %zu of %zu, %s: %.*s, %zu breakages, %.0f s, %.0f s left",
-                  turn_.number + 1, turn_.count, name_.c_str(), static_cast<int>(stage.size()),
-                  stage.data(), breakages, elapsed, done > 0 ? elapsed * (1 - done) / done : 0);
-    std::fprintf(stderr, in_place() ? "\r%-100s" : "%s\n", text);
-    std::fflush(stderr);
-  }
-
-  // Of the first run of the program.
-  [[nodiscard]] static Clock::time_point begun() {
-    static const Clock::time_point start = Clock::now();
-    return start;
-  }
-
-  std::string name_;
-  Turn turn_;
-  std::size_t stages_;
-  Clock::time_point last_ = begun();
 };
 
 std::string hardin_csv(const Run& run) {
@@ -125,7 +71,8 @@ std::string PlannedRun::name() const {
   return text;
 }
 
-Run run_path(const PlannedRun& plan, const std::filesystem::path& folder, const Turn& turn) {
+Run run_path(const PlannedRun& plan, const std::filesystem::path& folder,
+             run_table::ProgressLine& line) {
   using namespace riprap;
   const Sample& s = plan.sample;
   Simulation sim{Model{}
@@ -140,10 +87,10 @@ Run run_path(const PlannedRun& plan, const std::filesystem::path& folder, const 
   CurveFiles tables{curve, folder};
   Measures measures{run};
   ValidityCheck check;
-  Watch watch{plan.name(), turn, plan.stages.size()};
+  line.begin(plan.name(), 1);
+  Watch watch{line, plan.stages.size()};
   const LoadingPath<> path{.confining_pressure = plan.pressure, .stages = plan.stages};
   const PathResult result = path.run(sim, curve, tables, measures, check, watch);
-  watch.end(sim.breaks().size());
 
   run.points = curve.points();
   run.breakages_before = curve.breakages_before_shear();

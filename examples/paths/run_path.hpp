@@ -12,6 +12,8 @@
 #include <riprap/experiment/loading_stage.hpp>
 #include <riprap/experiment/path_result.hpp>
 
+#include "../run_table/progress_line.hpp"
+
 namespace paths {
 
 struct Sample {
@@ -48,13 +50,8 @@ struct Run {
   bool interrupted = false;
 };
 
-// Which of how many runs, for the line of progress.
-struct Turn {
-  std::size_t number = 0;
-  std::size_t count = 1;
-};
-
-// Makes the run; its tables grow in `folder`, which exists.
-Run run_path(const PlannedRun& plan, const std::filesystem::path& folder, const Turn& turn);
+// Makes the run, a unit of the work of `line`; its tables grow in `folder`, which exists.
+Run run_path(const PlannedRun& plan, const std::filesystem::path& folder,
+             run_table::ProgressLine& line);
 
 }  // namespace paths

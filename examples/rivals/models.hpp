@@ -37,10 +37,10 @@ Json run_largest_force(const Case&);
 Json run_mean_stress(const Case&);
 
 inline constexpr std::array<RivalModel, 6> all_models{{
-    {"unbreakable", "no breakage", "#999999", run_unbreakable},
+    {"unbreakable", "none", "#999999", run_unbreakable},
     {"elements", "finite elements", "#1f6fb4", run_elements},
-    {"opposed_forces", "two opposed forces", "#15803d", run_opposed_forces},
-    {"all_forces", "all contact forces", "#c0392b", run_all_forces},
+    {"opposed_forces", "opposed forces", "#15803d", run_opposed_forces},
+    {"all_forces", "all forces", "#c0392b", run_all_forces},
     {"largest_force", "largest force", "#a06cc0", run_largest_force},
     {"mean_stress", "mean stress", "#b8860b", run_mean_stress},
 }};

@@ -6,7 +6,7 @@
 
 #include <riprap/output/csv.hpp>
 
-#include "progress_line.hpp"
+#include "../run_table/progress_line.hpp"
 
 namespace shear_tests {
 
@@ -15,7 +15,7 @@ double CellPlan::work() const { return 1 / (test.inertial_number * std::sqrt(tes
 std::vector<CellSeries> run_cells(const Options& o, const std::vector<CellPlan>& plans) {
   double all_work = 0;
   for (const CellPlan& p : plans) all_work += o.samples * p.work();
-  ProgressLine line(all_work);
+  run_table::ProgressLine line(all_work);
   std::vector<CellSeries> all;
   for (const CellPlan& p : plans) {
     CellSeries& series = all.emplace_back(CellSeries{.name = p.name});

@@ -5,9 +5,9 @@
 
 #include <cstdio>
 
-#include "../run_table/work_through.hpp"
+#include "work_through.hpp"
 
-namespace shear_tests {
+namespace run_table {
 
 ProgressLine::ProgressLine(double work) : work_(work), in_place_(isatty(fileno(stderr)) != 0) {}
 
@@ -33,11 +33,10 @@ void ProgressLine::end() {
 void ProgressLine::print(double share) const {
   const double done = (ended_ + share * present_) / work_;
   const double elapsed = std::chrono::duration<double>(Clock::now() - begun_).count();
-  std::string line =
-      std::to_string(static_cast<int>(100 * done)) + " %  " + run_table::duration_text(elapsed);
+  std::string line = std::to_string(static_cast<int>(100 * done)) + " %  " + duration_text(elapsed);
   // An estimate from the first per cent is worth nothing.
   if (done > 0.01 && done < 1)
-    line += ", about " + run_table::duration_text(elapsed * (1 - done) / done) + " left";
+    line += ", about " + duration_text(elapsed * (1 - done) / done) + " left";
   line += "  " + name_;
   if (in_place_)
     std::fprintf(stderr, "\r%-78.78s", line.c_str());
@@ -46,4 +45,4 @@ void ProgressLine::print(double share) const {
   std::fflush(stderr);
 }
 
-}  // namespace shear_tests
+}  // namespace run_table

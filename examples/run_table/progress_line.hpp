@@ -5,7 +5,7 @@
 #include <chrono>
 #include <string>
 
-namespace shear_tests {
+namespace run_table {
 
 class ProgressLine {
  public:
@@ -33,4 +33,4 @@ class ProgressLine {
   Clock::time_point last_ = begun_;
 };
 
-}  // namespace shear_tests
+}  // namespace run_table
