@@ -71,7 +71,8 @@ riprap::Svg charts(const std::vector<ModelRuns>& runs) {
   for (const Quantity& q : quantities)
     for (const auto& [pressure, of_pressure] : by_pressure) {
       Chart chart{title(q.title, pressure), "axial strain [%]", q.label, {}};
-      for (const ModelRuns* one : of_pressure) chart.series.push_back(curve(*one, q.column, q.factor));
+      for (const ModelRuns* one : of_pressure)
+        chart.series.push_back(curve(*one, q.column, q.factor));
       all.push_back(std::move(chart));
     }
   for (const auto& [pressure, of_pressure] : by_pressure) {
