@@ -158,7 +158,7 @@ TEST_CASE("loads are shown over the strength factor of the particle") {
   const Simulation sim{strong, crushed, Rock{}};
   Pass pass(strong);
   double largest = 0;
-  for (const BodyIndex i : {0, 3})
+  for (const BodyIndex i : {0u, 3u})
     for (const ContactLoad& load : loads_on(sim.contacts(), i))
       largest = std::max(largest, load.force_lab.norm());
   const double stress = largest / (0.016 * 0.016);
