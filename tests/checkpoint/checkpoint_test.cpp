@@ -239,7 +239,7 @@ TEST_CASE(
                        "SymplecticEuler in the file and "));
   CHECK(test::contains(
       message(Simulation{weak_model(), sample_for(StrainField{}, 1), Rock{.young = 1e9}}, ledger),
-      "checkpoint/model/rock/young is 7e+10 in the file and 1e+09 in the program"));
+      "checkpoint/model/rocks/young is 7e+10 in the file and 1e+09 in the program"));
   CHECK(message(simulation_of(weak_model(), 1)) ==
         " holds 1 experiments and observers, the program has 0");
   Compression<decltype(weak_model())> other_experiment;

@@ -28,7 +28,7 @@ struct GivenModel {
 
   static void for_each_field(auto& self, auto&& visit) {
     visit("policies", self.sim.model());
-    visit("rock", self.sim.rock());
+    visit("rocks", self.sim.rocks().list());
   }
 };
 
@@ -44,7 +44,7 @@ struct NumberedParts {
   }
 };
 
-/// The policies and the rock, with the names of the policies' classes.
+/// The policies and the rocks, with the names of the policies' classes.
 template <class Sim>
 [[nodiscard]] FieldNode model_fields(const Sim& sim) {
   FieldNode model;
