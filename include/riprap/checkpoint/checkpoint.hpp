@@ -15,6 +15,7 @@
 #include <riprap/checkpoint/hdf5_image.hpp>
 #include <riprap/checkpoint/sealed_image.hpp>
 #include <riprap/core/errors.hpp>
+#include <riprap/material/rock.hpp>
 
 namespace riprap {
 
@@ -28,7 +29,10 @@ struct GivenModel {
 
   static void for_each_field(auto& self, auto&& visit) {
     visit("policies", self.sim.model());
-    visit("rocks", self.sim.rocks().list());
+    const std::vector<Rock>& rocks = self.sim.rocks().list();
+    visit("rock", rocks.front());
+    for (std::size_t k = 1; k < rocks.size(); ++k)
+      visit(("rock_" + std::to_string(k)).c_str(), rocks[k]);
   }
 };
 

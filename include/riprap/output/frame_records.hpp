@@ -63,6 +63,7 @@ template <class Sim>
   record.add("parent", ancestry.parent);
   record.add("root", ancestry.root);
   record.add("generation", std::uint32_t{ancestry.generation});
+  record.add("material", std::uint32_t{particles.material(i)});
   record.add("motion", static_cast<std::uint32_t>(particles.body(i).motion));
   record.add("area", particles.shape(i).area);
   record.add("vertices", internal::coordinates(particles.local_ring(i)));
