@@ -117,9 +117,11 @@ class ValidityCheck {
   template <Criterion C>
   [[nodiscard]] static double least_strength(const C& criterion, const Rocks& rocks) {
     double least = std::numeric_limits<double>::infinity();
-    for (MaterialIndex m = 0; m < rocks.size(); ++m)
+    for (std::size_t k = 0; k < rocks.size(); ++k) {
+      const auto m = static_cast<MaterialIndex>(k);
       least = std::min(least, rocks[m].strength_factor *
                                   criterion_of(criterion, m).major_stress_at_failure(0));
+    }
     return least;
   }
 

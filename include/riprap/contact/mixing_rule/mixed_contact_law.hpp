@@ -46,9 +46,10 @@ class MixedContactLaw {
         count_(static_cast<std::uint32_t>(laws_.size())) {
     if (laws_.empty()) throw InvalidInput("MixedContactLaw: the list of laws is empty");
     if constexpr (check_mixing_rule<Rule, Law>())
-      for (MaterialIndex i = 0; i < count_; ++i)
-        for (MaterialIndex j = 0; j < count_; ++j) {
-          const MaterialPair pair{std::min(i, j), std::max(i, j)};
+      for (std::size_t i = 0; i < count_; ++i)
+        for (std::size_t j = 0; j < count_; ++j) {
+          const MaterialPair pair{static_cast<MaterialIndex>(std::min(i, j)),
+                                  static_cast<MaterialIndex>(std::max(i, j))};
           pairs_.push_back(std::as_const(rule_)(laws_[pair.a], laws_[pair.b], pair));
         }
   }
