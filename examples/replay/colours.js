@@ -123,6 +123,19 @@ const colourModes = [
   },
 ];
 
+// Where there are several.
+if (arrays.material) {
+  const count = arrays.material.reduce((most, m) => Math.max(most, m), 0) + 1;
+  const colour = (m) => palette().family[(m * 5) % palette().family.length];
+  const all = () => Array.from({ length: count }, (_, m) => colour(m));
+  colourModes.push({
+    key: "material", name: "Material", title: "Material: place in the list of rocks",
+    colours: all,
+    bin: (s, k) => arrays.material[s.ids[k]],
+    legend: () => keys(all().map((c, m) => [c, `${m}`])),
+  });
+}
+
 // Elements of a legend.
 function bar(name, ticks) {
   return `<div class="bar" style="background:linear-gradient(90deg,${palette()[name].join(",")})"></div>` +

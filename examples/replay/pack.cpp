@@ -209,7 +209,7 @@ void append(std::vector<T>& to, const std::vector<double>& values) {
 // One entry per particle, and the vertices of all.
 void add_particles(const RecordedRun& run, Binary& arrays) {
   std::vector<std::int32_t> parent, root, first, last;
-  std::vector<std::uint8_t> generation, motion;
+  std::vector<std::uint8_t> generation, motion, material;
   std::vector<float> area, vertices;
   std::vector<std::uint32_t> start{0};
   for (const RecordedParticle& p : run.particles) {
@@ -220,6 +220,9 @@ void add_particles(const RecordedRun& run, Binary& arrays) {
     last.push_back(p.seen ? static_cast<std::int32_t>(p.last) : -2);
     generation.push_back(static_cast<std::uint8_t>(std::min(255.0, p.record.number("generation"))));
     motion.push_back(static_cast<std::uint8_t>(p.record.number("motion")));
+    // Frames of an earlier version know of one material.
+    const double of = p.record.has("material") ? p.record.number("material") : 0;
+    material.push_back(static_cast<std::uint8_t>(std::min(255.0, of)));
     area.push_back(static_cast<float>(p.record.number("area")));
     append(vertices, p.record["vertices"]);
     start.push_back(static_cast<std::uint32_t>(vertices.size() / 2));
@@ -230,6 +233,8 @@ void add_particles(const RecordedRun& run, Binary& arrays) {
   arrays.add("last", last);
   arrays.add("generation", generation);
   arrays.add("motion", motion);
+  if (std::ranges::any_of(material, [](std::uint8_t m) { return m > 0; }))
+    arrays.add("material", material);
   arrays.add("area", area);
   arrays.add("vertexStart", start);
   arrays.add("vertices", vertices);

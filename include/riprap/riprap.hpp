@@ -4,6 +4,7 @@
 /// What a simulation needs: all policies but the optional ones, Model, Simulation, the biaxial test
 /// and its records. Needs the headers of Eigen and Boost only.
 
+#include <riprap/breakage/criterion/criterion_of_rock.hpp>
 #include <riprap/breakage/criterion/franklin.hpp>
 #include <riprap/breakage/criterion/griffith.hpp>
 #include <riprap/breakage/criterion/hobbs.hpp>
@@ -40,6 +41,8 @@
 #include <riprap/contact/contact_law/no_contact_force.hpp>
 #include <riprap/contact/contact_law/overlap_area_spring.hpp>
 #include <riprap/contact/contact_law/spring_dashpot.hpp>
+#include <riprap/contact/mixing_rule/friction_of_pairs.hpp>
+#include <riprap/contact/mixing_rule/mixed_contact_law.hpp>
 #include <riprap/contact/narrow_phase/no_overlap.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/contact/narrow_phase/separating_axis.hpp>

@@ -30,7 +30,7 @@ TEST_CASE("failed elements are those of the stress, under loads divided by the s
   StressEvaluation evaluate;
   const BreakageModel<> weak{};
   const auto [stress, failures] =
-      evaluate_particle(weak, part.support, *op, particles, 0, loads, evaluate);
+      evaluate_particle(weak, part.support, *op, Rock{}, particles, 0, loads, evaluate);
   CHECK(failures.elements == op->mesh().size());
   CHECK(failures.failed == count_failures(weak.criterion, stress).failed);
   CHECK(failures.failed > 0);
@@ -38,7 +38,7 @@ TEST_CASE("failed elements are those of the stress, under loads divided by the s
   StressEvaluation evaluate_strong;
   const BreakageModel<HoekBrown, TwiceAsStrong> strong{};
   const ParticleFailure half =
-      evaluate_particle(strong, part.support, *op, particles, 0, loads, evaluate_strong);
+      evaluate_particle(strong, part.support, *op, Rock{}, particles, 0, loads, evaluate_strong);
   CHECK(2 * half.stress.values() == stress.values());
   CHECK(half.failures.failed < failures.failed);
 }
@@ -54,12 +54,12 @@ TEST_CASE("a particle with two contacts that are both pinned cannot fail at any 
     std::vector<ContactLoad> loads{{{0, 0.008}, {0.1 * force, -force}, force},
                                    {{0, -0.008}, {0, force}, force}};
     const auto find = [&](const auto& support) {
-      return evaluate_particle(breakage, support, *op, particles, 0, loads, evaluate)
+      return evaluate_particle(breakage, support, *op, Rock{}, particles, 0, loads, evaluate)
           .failures.failed;
     };
     CHECK(find(part.support) > 0);  // free
     CHECK(find(pinned.support) == 0);
-    CHECK(evaluate_particle(breakage, pinned.support, *op, particles, 0, loads, evaluate)
+    CHECK(evaluate_particle(breakage, pinned.support, *op, Rock{}, particles, 0, loads, evaluate)
               .stress.values()
               .isZero(0));
     // A third contact loads it.

@@ -7,12 +7,15 @@
 #include <string>
 #include <vector>
 
+#include <riprap/breakage/criterion/criterion_of_rock.hpp>
 #include <riprap/checkpoint/checkpoint.hpp>
 #include <riprap/contact/contact_law/contact_law_choice.hpp>
 #include <riprap/contact/contact_law/incremental_spring.hpp>
 #include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/contact/contact_law/overlap_area_spring.hpp>
 #include <riprap/contact/contact_law/spring_dashpot.hpp>
+#include <riprap/contact/mixing_rule/friction_of_pairs.hpp>
+#include <riprap/contact/mixing_rule/mixed_contact_law.hpp>
 #include <riprap/contact/narrow_phase/narrow_phase_choice.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
 #include <riprap/dynamics/boundary/periodic_cell.hpp>
@@ -214,6 +217,43 @@ TEST_CASE("What an experiment has changed in the policies is part of the state")
   CHECK_FALSE(other.breakage());
 }
 
+TEST_CASE("A run of two rocks goes on to the same bytes, mixed laws and criteria included") {
+  const EnergyConservingSpring law;
+  const auto model =
+      weak_model()
+          .criterion(CriterionOfRock{
+              {HoekBrown{.compressive_strength = 3e6}, HoekBrown{.compressive_strength = 6e6}}})
+          .contact_law(MixedContactLaw{{law, EnergyConservingSpring{.friction = 0.2}},
+                                       FrictionOfPairs<>{.table = {{0, 1, 0.4}}}});
+  const Rocks rocks{Rock{}, Rock{.density = 2200}};
+  const auto simulation = [&](unsigned seed) {
+    Assembly assembly = sample_for(StrainField{}, seed);
+    for (std::size_t i = 0; i < assembly.particles.size(); i += 2)
+      assembly.particles[i].material = 1;
+    return Simulation{model, assembly, rocks};
+  };
+  auto sim = simulation(1);
+  Compression<std::remove_const_t<decltype(model)>> experiment;
+  experiment.ledger.open(sim);
+  const test::TemporaryFile file;
+  while (sim.breaks().size() < 2) experiment.step(sim);
+  sim.contact_law() = frictionless(sim.contact_law());
+  write_checkpoint(file.path(), sim, experiment);
+  const auto five_breaks = [&](auto& of, auto& by) {
+    while (of.breaks().size() < 5) by.step(of);
+    return state_of(of, by);
+  };
+  const std::uint64_t state = five_breaks(sim, experiment);
+  auto other = simulation(2);
+  Compression<std::remove_const_t<decltype(model)>> goes_on;
+  read_checkpoint(file.path(), other, goes_on);
+  CHECK(five_breaks(other, goes_on) == state);
+  std::size_t of_one = 0;
+  for (BodyIndex i = 0; i < other.particles().size(); ++i) of_one += other.particles().material(i);
+  CHECK(of_one > 0);
+  CHECK(of_one < other.particles().size());
+}
+
 TEST_CASE(
     "A checkpoint of another model, rock or experiment is refused with the first difference") {
   auto sim = simulation_of(weak_model(), 1);
@@ -240,6 +280,10 @@ TEST_CASE(
   CHECK(test::contains(
       message(Simulation{weak_model(), sample_for(StrainField{}, 1), Rock{.young = 1e9}}, ledger),
       "checkpoint/model/rock/young is 7e+10 in the file and 1e+09 in the program"));
+  CHECK(test::contains(
+      message(Simulation{weak_model(), sample_for(StrainField{}, 1), Rocks{Rock{}, Rock{}}},
+              ledger),
+      "checkpoint/model is of 2 fields in the file and of 3 in the program"));
   CHECK(message(simulation_of(weak_model(), 1)) ==
         " holds 1 experiments and observers, the program has 0");
   Compression<decltype(weak_model())> other_experiment;

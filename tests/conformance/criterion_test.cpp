@@ -7,6 +7,7 @@
 #include <support/violated.hpp>
 
 #include <riprap/breakage/criterion/criterion_choice.hpp>
+#include <riprap/breakage/criterion/criterion_of_rock.hpp>
 #include <riprap/breakage/criterion/franklin.hpp>
 #include <riprap/breakage/criterion/griffith.hpp>
 #include <riprap/breakage/criterion/hobbs.hpp>
@@ -93,6 +94,12 @@ TEST_CASE("the criteria of riprap obey the axioms") {
   CHECK(to_text(criterion_violations(NeverFails{})) == "");
   using Choice = CriterionChoice<HoekBrown, MohrCoulomb, Rankine, Franklin>;
   CHECK(to_text(criterion_violations(Choice{HoekBrown{}}, 300e6)) == "");
+  // Curves that cross: the lower one of both.
+  const CriterionOfRock<Choice> rocks{{Choice{HoekBrown{}}, Choice{MohrCoulomb{.tension = 9e6}}}};
+  CHECK(to_text(criterion_violations(rocks)) == "");
+  const CriterionOfRock out_of_plane{{ThreePrincipalStresses{HoekBrown{}, 0.17},
+                                      ThreePrincipalStresses{HoekBrown{.m_b = 9}, 0.3}}};
+  CHECK(to_text(criterion_violations(out_of_plane, 300e6)) == "");
   CHECK(to_text(criterion_violations(Choice{MohrCoulomb{}}, 300e6)) == "");
   CHECK(to_text(criterion_violations(Choice{Rankine{}})) == "");
   CHECK(to_text(criterion_violations(Choice{Franklin{}}, 300e6)) == "");

@@ -172,6 +172,20 @@ TEST_CASE("replay: particles of a frame are packed by id, and turns are counted 
   CHECK(std::abs(number("angle", 10) * unit - 5 * quarter) <= 0.51 * unit);
 }
 
+TEST_CASE("replay: materials are packed where there are several") {
+  const auto packed = [](std::uint32_t material) {
+    Record of_rock = particle(1, no_particle);
+    of_rock.add("material", material);
+    return replay::pack(read({particle(0, no_particle), of_rock, frame(3, 0, {0, 1})}, 1));
+  };
+  CHECK_FALSE(packed(0).arrays.index().contains("material"));
+  const replay::PackedRun two = packed(2);
+  REQUIRE(two.arrays.index().contains("material"));
+  const std::size_t at = two.arrays.index()["material"]["offset"].get<std::size_t>();
+  CHECK(two.arrays.bytes()[at] == 0);  // of an earlier version, without a material
+  CHECK(two.arrays.bytes()[at + 1] == 2);
+}
+
 TEST_CASE("replay: rattlers, the mean force and the strain since the start of shear are packed") {
   // Four particles at the corners of a square, of which 0 breaks into 4 and 5, which stay together.
   std::vector<Record> records;

@@ -67,7 +67,7 @@ struct Breaks {
     ++count;
     largest_rise = std::max(largest_rise, stored_energy(sim.contacts()) / stored - 1);
     if (!keeps_momentum) return;
-    const double mass = sim.particles().density() * sim.particles().thickness() * 0.1;
+    const double mass = sim.particles().mean_density() * sim.particles().thickness() * 0.1;
     CHECK((linear(sim) - momentum).norm() <= 1e-12 * mass);
     CHECK(std::abs(turning(sim) - angular) <= 1e-12 * mass);
   }

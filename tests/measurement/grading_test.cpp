@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -135,6 +136,31 @@ TEST_CASE("dust counts in the grading and in the particle it came from") {
   CHECK(after.size_at(0.05) == near_relative(std::sqrt(2e-6 / std::numbers::pi), round_off));
   CHECK(after.passing(0.9 * equivalent_diameter(1e-6)) == near_relative(0.1, round_off));
   CHECK(after.passing(0.9 * after.largest()) == near_relative(0.3, round_off));
+}
+
+TEST_CASE("the grading of one material has its particles, pieces and dust alone") {
+  Particles both(0.016, std::vector<double>{2500, 2000});
+  Particles alone(0.016, 2000);
+  both.add(test::rectangle(5e-3, 1e-3), Motion::free);
+  for (Particles* p : {&both, &alone}) {
+    const MaterialIndex material = p == &both ? 1 : 0;
+    const BodyIndex i = p->add(test::rectangle(4e-3, 1e-3), Motion::free, nullptr, material);
+    p->add(test::rectangle(1e-3, 1e-3), Motion::free, nullptr, material);
+    const Ancestry first = p->ancestry(i);
+    p->replace(i, test::rectangle(3.5e-3, 1e-3), Motion::free, first);
+    p->add_dust(first, 0.5e-6);
+  }
+  both.add_dust(both.ancestry(0), 0.1e-6);
+  const auto same = [](const Grading& p, const Grading& q) {
+    return std::ranges::equal(p.points(), q.points(), [](const auto& a, const auto& b) {
+      return a.size == b.size && a.passing == b.passing;
+    });
+  };
+  CHECK(same(grading(both, 1), grading(alone)));
+  CHECK(same(grading_before_breakage(both, 1), grading_before_breakage(alone)));
+  CHECK_FALSE(same(grading(both), grading(alone)));
+  CHECK(grading_before_breakage(both, 0).points().size() == 2);
+  CHECK_THROWS_AS((void)grading(both, 2), InvalidInput);
 }
 
 TEST_CASE("gradings that cannot be are refused") {

@@ -79,6 +79,7 @@ TEST_CASE("particles are polygons with name, descent, motion, stress and Rat") {
     CHECK(read.values("root")[i] == ancestry.root);
     CHECK(read.values("generation")[i] == ancestry.generation);
     const Body& body = particles.body(i);
+    CHECK(read.values("material")[i] == 0);
     CHECK(read.values("motion")[i] == (body.is_free() ? 0 : 2));
     CHECK(read.values("velocity")[3 * i] == body.velocity.x());
     CHECK(read.values("velocity")[3 * i + 1] == body.velocity.y());
@@ -90,7 +91,7 @@ TEST_CASE("particles are polygons with name, descent, motion, stress and Rat") {
     CHECK(read.values("rat")[i] == ratios[i]);
   }
   CHECK(pieces >= 7);
-  CHECK(read.arrays.size() == 12);
+  CHECK(read.arrays.size() == 13);
 }
 
 TEST_CASE("on request particles have strains since a state, by their roots, and a smooth stress") {
@@ -108,7 +109,7 @@ TEST_CASE("on request particles have strains since a state, by their roots, and 
   const double radius = 0.05;
   const auto read =
       read_vtp(particles_vtp(sim, {.reference = reference, .kernel_radius = radius}).document());
-  CHECK(read.arrays.size() == 18);
+  CHECK(read.arrays.size() == 19);
   const auto stresses = coarse_grained_stresses(sim.contacts(), particles, LucyKernel{radius});
   std::size_t pieces = 0;
   for (BodyIndex i = 0; i < particles.size(); ++i) {

@@ -45,7 +45,7 @@ ConvexPolygon somewhere(Random& random) {
 TEST_CASE("mass and inertia are density times thickness times the polygon's moments") {
   Particles particles(0.02, 2500);
   CHECK(particles.thickness() == 0.02);
-  CHECK(particles.density() == 2500);
+  CHECK(particles.mean_density() == 2500);
   const BodyIndex i = particles.add(shifted(rectangle(0.4, 0.3), {3, -2}), Motion::free);
   const double mass = 2500 * 0.02 * 0.12;
   CHECK(particles.body(i).mass == near_relative(mass, 1e-14));
@@ -54,6 +54,28 @@ TEST_CASE("mass and inertia are density times thickness times the polygon's mome
   CHECK((particles.body(i).position - Vec2{3, -2}).norm() <= 1e-15);
   CHECK(particles.shape(i).circumradius == near_relative(0.25, 1e-14));
   CHECK(particles.shape(i).count == 4);
+}
+
+TEST_CASE("each particle has the density of its material, which pieces and the others keep") {
+  Particles particles(0.02, std::vector<double>{1000, 3000});
+  particles.add(rectangle(0.4, 0.3), Motion::free, nullptr, 1);
+  particles.add(shifted(rectangle(0.2, 0.1), {2, 0}), Motion::free);
+  particles.add(shifted(rectangle(1, 1), {5, 0}), Motion::wall, nullptr, 1);
+  CHECK(particles.body(0).mass == near_relative(3000 * 0.02 * 0.12, 1e-14));
+  CHECK(particles.body(1).mass == near_relative(1000 * 0.02 * 0.02, 1e-14));
+  CHECK(particles.density(0) == 3000);
+  // Mass over volume of the two, without the wall.
+  CHECK(particles.mean_density() == near_relative((3000 * 0.12 + 1000 * 0.02) / 0.14, 1e-14));
+  const Ancestry whole = particles.ancestry(0);
+  particles.replace(0, rectangle(0.2, 0.3), Motion::free, whole);
+  CHECK(particles.material(0) == 1);
+  CHECK(particles.body(0).mass == near_relative(3000 * 0.02 * 0.06, 1e-14));
+  particles.remove(0);
+  CHECK(particles.material(0) == 0);
+  CHECK(particles.material(1) == 1);
+  // Walls alone.
+  particles.remove(0);
+  CHECK(particles.mean_density() == near_relative(3000, 1e-14));
 }
 
 TEST_CASE("a particle is added at rest, unturned, in its place and with its motion") {

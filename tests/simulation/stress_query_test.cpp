@@ -11,10 +11,10 @@ using namespace riprap::test;
 
 TEST_CASE("a query gives the stresses that a breakage pass sees, and keeps nothing") {
   const Model model;
-  const Rock rock;
-  const Simulation sim{model, crushed, rock};
+  const Rocks rocks{Rock{}};
+  const Simulation sim{model, crushed, rocks};
   Pass pass(model);
-  const StressQuery query(model, rock, sim.particles(), sim.contacts(), pass.stage);
+  const StressQuery query(model, rocks, sim.particles(), sim.contacts(), pass.stage);
   const std::vector<double> ratios = query.failed_ratios();
   CHECK(pass.stage.operator_bytes() == 0);
   const auto& cracks = pass.find(sim);

@@ -6,7 +6,7 @@
 #include <riprap/breakage/needs_elements.hpp>
 #include <riprap/breakage/trigger/load_scale.hpp>
 #include <riprap/core/errors.hpp>
-#include <riprap/material/rock.hpp>
+#include <riprap/material/rocks.hpp>
 #include <riprap/particle/particles.hpp>
 #include <riprap/stress/contact_loads.hpp>
 #include <riprap/stress/particle_stress.hpp>
@@ -19,11 +19,10 @@ template <class BreakagePart, class StressPart, ListedContacts Contacts, class O
 struct BreakageInput {
   static constexpr bool needs_elements = riprap::needs_elements<BreakagePart>;
   static constexpr bool needs_loaded_particle = riprap::needs_loaded_particle<BreakagePart>;
-  static constexpr bool has_strength_factor = HasStrengthFactor<decltype(BreakagePart::trigger)>;
 
   const BreakagePart& breakage;
   const StressPart& stress;
-  const Rock& rock;
+  const Rocks& rocks;
   double mean_area;  ///< of the intact particles [m^2]
   const Particles& particles;
   const Contacts& contacts;
@@ -32,15 +31,20 @@ struct BreakageInput {
 
   /// A function that builds the operator of particle i.
   [[nodiscard]] auto builder(BodyIndex i) const {
-    return [this, i] { return build_operator(stress, rock, particles, i); };
+    return [this, i] { return build_operator(stress, rock(i), particles, i); };
+  }
+  [[nodiscard]] const Rock& rock(BodyIndex i) const { return rocks[particles.material(i)]; }
+  /// The criterion of particle i.
+  [[nodiscard]] const auto& criterion(BodyIndex i) const {
+    return criterion_of(breakage.criterion, particles.material(i));
   }
   [[nodiscard]] double scale(BodyIndex i) const {
-    return load_scale(breakage.trigger, particles, i);
+    return load_scale(breakage.trigger, particles, i, rock(i));
   }
 };
 
 template <class B, class S, class C, class O, class E>
-BreakageInput(const B&, const S&, const Rock&, double, const Particles&, const C&, O&, const E&)
+BreakageInput(const B&, const S&, const Rocks&, double, const Particles&, const C&, O&, const E&)
     -> BreakageInput<B, S, C, O, E>;
 
 /// Runs `work`; names particle i if its input breaks a rule.

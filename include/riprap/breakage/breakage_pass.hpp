@@ -63,8 +63,8 @@ class BreakagePass {
   void check(const Input& input, BodyIndex i) {
     const auto& breakage = input.breakage;
     constexpr bool by_loads = LoadTrigger<std::remove_cvref_t<decltype(breakage.trigger)>>;
-    const CriterionView criterion{breakage.criterion};
-    const LoadedParticle particle{input.particles, i, loads_over_strength(input, i), input.rock,
+    const CriterionView criterion{input.criterion(i)};
+    const LoadedParticle particle{input.particles, i, loads_over_strength(input, i), input.rock(i),
                                   criterion};
     FailureMode mode = FailureMode::intact;
     if constexpr (by_loads) {
@@ -75,8 +75,9 @@ class BreakagePass {
     std::optional<Crack> crack;
     if constexpr (Input::needs_elements) {
       const InfluenceOperator& op = input.operators.exact(i, input.builder(i));
-      const auto& [stress, failures] = evaluate_particle(
-          breakage, input.stress.support, op, input.particles, i, loads_.of(i), evaluate_);
+      const auto& [stress, failures] =
+          evaluate_particle(breakage, input.stress.support, op, input.rock(i), input.particles, i,
+                            loads_.of(i), evaluate_);
       if constexpr (!by_loads)
         if (!fires(breakage.trigger, failures, particle)) return;
       crack =
@@ -92,10 +93,11 @@ class BreakagePass {
   // The loads that a LoadedParticle has.
   template <class Input>
   std::span<const ContactLoad> loads_over_strength(const Input& input, BodyIndex i) {
-    if constexpr (!Input::needs_loaded_particle || !Input::has_strength_factor) {
+    if constexpr (!Input::needs_loaded_particle) {
       return loads_.of(i);
     } else {
       const double scale = input.scale(i);
+      if (scale == 1) return loads_.of(i);
       over_strength_.assign(loads_.of(i).begin(), loads_.of(i).end());
       for (ContactLoad& load : over_strength_) {
         load.force_lab *= scale;

@@ -92,15 +92,15 @@ template <class BreakagePart>
 namespace internal {
 
 // `draw(points, planes, mean_stress)` gives the line.
-template <class BreakagePart, class Draw>
+template <class BreakagePart, Criterion C, class Draw>
 [[nodiscard]] std::optional<Crack>
-find_crack(const BreakagePart& model, const FailureCount& failures, const SamplingPoints& samples,
-           const ElementStress& stress, const Body& body, Ring ring, double mean_area,
-           Draw&& draw) {
+find_crack(const BreakagePart& model, const C& criterion, const FailureCount& failures,
+           const SamplingPoints& samples, const ElementStress& stress, const Body& body, Ring ring,
+           double mean_area, Draw&& draw) {
   const Stress2 first = stress[failures.first_failed];
-  const FailureMode mode = evaluate(model.criterion, first).mode;
-  const FailurePlanes planes = failure_planes(model.criterion, first.rotated(body.rotation), mode);
-  const auto points = failed_points(model.criterion, samples, stress, body);
+  const FailureMode mode = evaluate(criterion, first).mode;
+  const FailurePlanes planes = failure_planes(criterion, first.rotated(body.rotation), mode);
+  const auto points = failed_points(criterion, samples, stress, body);
   const std::optional<Line> line =
       draw(points, planes, mean_stress(samples, stress).rotated(body.rotation));
   if (!line) return std::nullopt;
@@ -128,18 +128,19 @@ template <class BreakagePart>
 find_crack(const BreakagePart& model, const FailureCount& failures, const SamplingPoints& samples,
            const ElementStress& stress, const Body& body, Ring ring, double mean_area) {
   return internal::find_crack(
-      model, failures, samples, stress, body, ring, mean_area,
+      model, model.criterion, failures, samples, stress, body, ring, mean_area,
       [&](const auto&... shown) { return fit_line(model.line_fit, shown...); });
 }
 
-/// The same for any line fit.
+/// The same for any line fit, by the criterion of the particle's material.
 /// @param particle of which the stress is
 template <class BreakagePart>
 [[nodiscard]] std::optional<Crack>
 find_crack(const BreakagePart& model, const FailureCount& failures, const SamplingPoints& samples,
            const ElementStress& stress, const LoadedParticle& particle, double mean_area) {
   return internal::find_crack(
-      model, failures, samples, stress, particle.body(), particle.ring(), mean_area,
+      model, criterion_of(model.criterion, particle.material()), failures, samples, stress,
+      particle.body(), particle.ring(), mean_area,
       [&](const auto&... shown) { return fit_line(model.line_fit, shown..., particle); });
 }
 

@@ -19,7 +19,7 @@ struct ParticleFailure {
   FailureCount failures;
 };
 
-/// Of particle i under `loads`, divided by its strength for triggers that have one.
+/// Of particle i of a rock under `loads`, divided by its strength factor.
 /// @param breakage offers `criterion` and `trigger`
 /// @param support of the particle, @param op its influence operator
 /// @param evaluate keeps the stress
@@ -27,12 +27,12 @@ struct ParticleFailure {
 template <class BreakagePart, class Support>
 [[nodiscard]] ParticleFailure
 evaluate_particle(const BreakagePart& breakage, const Support& support, const InfluenceOperator& op,
-                  const Particles& particles, BodyIndex i, std::span<const ContactLoad> loads,
-                  StressEvaluation& evaluate) {
+                  const Rock& rock, const Particles& particles, BodyIndex i,
+                  std::span<const ContactLoad> loads, StressEvaluation& evaluate) {
   const ElementStress& stress = evaluate(op, support, particles.body(i).rotation, loads,
-                                         load_scale(breakage.trigger, particles, i));
-  return {stress, count_failures(breakage.criterion, stress, op.sampling_points(),
-                                 particles.shape(i).area)};
+                                         load_scale(breakage.trigger, particles, i, rock));
+  return {stress, count_failures(criterion_of(breakage.criterion, particles.material(i)), stress,
+                                 op.sampling_points(), particles.shape(i).area)};
 }
 
 }  // namespace riprap

@@ -15,6 +15,7 @@
 #include <riprap/checkpoint/hdf5_image.hpp>
 #include <riprap/checkpoint/sealed_image.hpp>
 #include <riprap/core/errors.hpp>
+#include <riprap/material/rock.hpp>
 
 namespace riprap {
 
@@ -28,7 +29,10 @@ struct GivenModel {
 
   static void for_each_field(auto& self, auto&& visit) {
     visit("policies", self.sim.model());
-    visit("rock", self.sim.rock());
+    const std::vector<Rock>& rocks = self.sim.rocks().list();
+    visit("rock", rocks.front());
+    for (std::size_t k = 1; k < rocks.size(); ++k)
+      visit(("rock_" + std::to_string(k)).c_str(), rocks[k]);
   }
 };
 
@@ -44,7 +48,7 @@ struct NumberedParts {
   }
 };
 
-/// The policies and the rock, with the names of the policies' classes.
+/// The policies and the rocks, with the names of the policies' classes.
 template <class Sim>
 [[nodiscard]] FieldNode model_fields(const Sim& sim) {
   FieldNode model;

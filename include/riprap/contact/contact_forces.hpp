@@ -77,7 +77,9 @@ template <class ContactType, class Law, class Domain>
   const ContactMotion motion{.normal_velocity = relative.x() * n.x() + relative.y() * n.y(),
                              .tangential_velocity = contact.at_platen ? 0 : along,
                              .time_step = time_step,
-                             .effective_mass = effective_mass(a, b)};
+                             .effective_mass = effective_mass(a, b),
+                             .material_a = particles.material(contact.a),
+                             .material_b = particles.material(contact.b)};
   const ContactForce force = law(contact.geometry, motion, contact.history);
   contact.force = {force.normal, force.tangential};
   return force;

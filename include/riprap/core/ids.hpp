@@ -17,4 +17,7 @@ using ParticleId = std::uint32_t;
 
 inline constexpr ParticleId no_particle = 0xFFFFFFFFu;
 
+/// Place of a particle's material in the list of rocks; pieces have that of their parent.
+using MaterialIndex = std::uint16_t;
+
 }  // namespace riprap

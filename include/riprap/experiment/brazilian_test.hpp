@@ -25,17 +25,19 @@ struct BrazilianTest {
   unsigned sides = 24;       ///< an even number
 
   /// 2 F / (pi D t) [Pa] at the least force F at which the trigger fires, to a share of 1e-9; that
-  /// of a particle with a strength factor of 1. Infinite if it does not fire below 1e15 Pa.
-  /// Throws InvalidInput if a parameter breaks a rule.
+  /// of a particle to which the trigger gives a strength factor of 1. Infinite if it does not fire
+  /// below 1e15 Pa. Throws InvalidInput if a parameter breaks a rule.
   /// @param model offers `breakage_model` and `stress_model`
+  /// @param material of the disc, for a criterion that has one for each
   template <class ModelType>
-  [[nodiscard]] double strength(const ModelType& model, const Rock& rock) const {
+  [[nodiscard]] double strength(const ModelType& model, const Rock& rock,
+                                MaterialIndex material = 0) const {
     validate();
     rock.validate();
     Particles particles(thickness, rock.density);
     particles.add(disc(), Motion::free);
     double high = 1;
-    const auto breaks = breaks_under(model, rock, particles);
+    const auto breaks = breaks_under(model, rock, material, particles);
     while (high < 1e15 && !breaks(high)) high *= 2;
     if (!(high < 1e15)) return std::numeric_limits<double>::infinity();
     double low = 0.5 * high;
@@ -69,16 +71,16 @@ struct BrazilianTest {
   }
   // A function of 2 F / (pi D t). Elements are made for triggers that need them.
   template <class ModelType>
-  [[nodiscard]] auto breaks_under(const ModelType& model, const Rock& rock,
+  [[nodiscard]] auto breaks_under(const ModelType& model, const Rock& rock, MaterialIndex material,
                                   const Particles& particles) const {
     using TriggerT = decltype(ModelType::breakage_model.trigger);
     std::shared_ptr<const InfluenceOperator> op;
     if constexpr (!LoadTrigger<TriggerT>)
       op = build_operator(model.stress_model, rock, particles, 0);
-    return [this, &model, &rock, &particles, op](double tension) {
-      const auto& criterion = model.breakage_model.criterion;
+    return [this, &model, &rock, material, &particles, op](double tension) {
+      const auto& criterion = criterion_of(model.breakage_model.criterion, material);
       const auto& trigger = model.breakage_model.trigger;
-      const std::vector<ContactLoad> pressed = loads(tension);
+      const std::vector<ContactLoad> pressed = loads(tension / rock.strength_factor);
       const CriterionView view{criterion};
       const LoadedParticle particle{particles, 0, pressed, rock, view};
       if constexpr (LoadTrigger<TriggerT>) {

@@ -166,8 +166,8 @@ class Curve {
     p.particles = particles.size();
     p.breakages = view.sim.breaks().size() - breakages_before_shear_;
     p.fabric = fabric(contact_samples(contacts));
-    p.inertial_number = inertial_number(view.strain_rate(), view.mean_diameter, particles.density(),
-                                        p.stress.mean());
+    p.inertial_number = inertial_number(view.strain_rate(), view.mean_diameter,
+                                        particles.mean_density(), p.stress.mean());
     p.state = state_averages(contacts, particles, view.sim.body_force());
     p.overlap_ratio = p.state.mean_overlap / view.mean_diameter;
     p.lost_particles = region.lost();

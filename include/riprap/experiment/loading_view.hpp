@@ -83,7 +83,7 @@ struct LoadingView {
   [[nodiscard]] double stage_time() const { return sim.time() - stage_begun; }
   /// The strain rate [1/s] of an inertial number at a pressure [Pa].
   [[nodiscard, gnu::noinline]] double rate_at(double inertia, double pressure) const {
-    return inertia / inertial_number(1, mean_diameter, sim.rock().density, pressure);
+    return inertia / inertial_number(1, mean_diameter, sim.particles().mean_density(), pressure);
   }
   /// Of the sample taken as a spring [Pa].
   [[nodiscard]] double sample_stiffness() const {
@@ -92,7 +92,7 @@ struct LoadingView {
   /// The time that a pressure wave takes from the boundary to the centre [s].
   [[nodiscard, gnu::noinline]] double servo_response() const {
     return Vec2(sim.boundary().region(sim.particles()).semi_axes()).maxCoeff() *
-           std::sqrt(sim.rock().density / sample_stiffness());
+           std::sqrt(sim.particles().mean_density() / sample_stiffness());
   }
 
   static constexpr bool names_all_members = false;

@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include <riprap/breakage/criterion/concepts.hpp>
 #include <riprap/experiment/check_table.hpp>
 #include <riprap/experiment/stage.hpp>
+#include <riprap/material/rocks.hpp>
 #include <riprap/measurement/average_stress.hpp>
 #include <riprap/measurement/dimensionless.hpp>
 #include <riprap/measurement/energy_ledger.hpp>
@@ -65,7 +68,7 @@ class ValidityCheck {
     const auto region = view.sim.boundary().region(particles);
     const StateAverages state = state_averages(contacts, particles, view.sim.body_force());
     check(view, inertia_,
-          inertial_number(view.strain_rate(), view.mean_diameter, particles.density(),
+          inertial_number(view.strain_rate(), view.mean_diameter, particles.mean_density(),
                           stress(view).mean()));
     check(view, overlap_, state.mean_overlap / view.mean_diameter);
     check(view, time_step_,
@@ -110,6 +113,18 @@ class ValidityCheck {
                            view.sim.contacts().law().peak_stiffness());
   }
 
+  // The uniaxial compressive strength of the weakest rock [Pa].
+  template <Criterion C>
+  [[nodiscard]] static double least_strength(const C& criterion, const Rocks& rocks) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < rocks.size(); ++k) {
+      const auto m = static_cast<MaterialIndex>(k);
+      least = std::min(least, rocks[m].strength_factor *
+                                  criterion_of(criterion, m).major_stress_at_failure(0));
+    }
+    return least;
+  }
+
   // Before the first step, for what is wrong now costs hours.
   template <class Sim>
   [[gnu::cold]] void check_input(const BiaxialView<Sim>& view) {
@@ -117,7 +132,7 @@ class ValidityCheck {
     if constexpr (requires { view.sim.model().breakage_model.criterion; }) {
       const auto& breakage = view.sim.model().breakage_model;
       check(view, strength_,
-            view.confining_pressure / breakage.criterion.major_stress_at_failure(0));
+            view.confining_pressure / least_strength(breakage.criterion, view.sim.rocks()));
       if constexpr (requires { double{breakage.trigger.critical}; })
         check(view, critical_, breakage.trigger.critical);
     }

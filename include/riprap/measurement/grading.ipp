@@ -84,23 +84,64 @@ RIPRAP_INLINE double Grading::area_above(double limit) const {
   return area;
 }
 
-RIPRAP_INLINE Grading grading(const Particles& particles) {
+namespace internal {
+
+// Free bodies and dust of the particles of which `counts(body)`, by which a root is known, too: at
+// least one piece of every particle is a body.
+template <class Counts, class Add>
+void visit_grains(const Particles& particles, Counts&& counts, Add&& add) {
+  std::map<ParticleId, bool> has_root;
+  for (BodyIndex i = 0; i < particles.size(); ++i) {
+    if (!particles.body(i).is_free()) continue;
+    const bool is_counted = counts(i);
+    has_root[particles.ancestry(i).root] = is_counted;
+    if (is_counted) add(particles.ancestry(i).root, particles.shape(i).area);
+  }
+  for (const DustPiece& piece : particles.dust()) {
+    const auto found = has_root.find(piece.root);
+    if (found == has_root.end() ? counts(particles.size()) : found->second)
+      add(piece.root, piece.area);
+  }
+}
+
+template <class Counts>
+[[nodiscard]] Grading grading_of(const Particles& particles, Counts&& counts) {
   std::vector<SizeFraction> fractions;
-  const auto add = [&](double area) { fractions.push_back({equivalent_diameter(area), area}); };
-  for (BodyIndex i = 0; i < particles.size(); ++i)
-    if (particles.body(i).is_free()) add(particles.shape(i).area);
-  for (const DustPiece& piece : particles.dust()) add(piece.area);
+  visit_grains(particles, counts, [&](ParticleId, double area) {
+    fractions.push_back({equivalent_diameter(area), area});
+  });
   return Grading::of_fractions(std::move(fractions));
 }
 
-RIPRAP_INLINE Grading grading_before_breakage(const Particles& particles) {
+template <class Counts>
+[[nodiscard]] Grading grading_before(const Particles& particles, Counts&& counts) {
   std::map<ParticleId, double> roots;  // areas
-  for (BodyIndex i = 0; i < particles.size(); ++i)
-    if (particles.body(i).is_free()) roots[particles.ancestry(i).root] += particles.shape(i).area;
-  for (const DustPiece& piece : particles.dust()) roots[piece.root] += piece.area;
+  visit_grains(particles, counts, [&](ParticleId root, double area) { roots[root] += area; });
   std::vector<SizeFraction> fractions;
   for (const auto& [id, area] : roots) fractions.push_back({equivalent_diameter(area), area});
   return Grading::of_fractions(std::move(fractions));
+}
+
+}  // namespace internal
+
+RIPRAP_INLINE Grading grading(const Particles& particles) {
+  return internal::grading_of(particles, [](std::size_t) { return true; });
+}
+
+RIPRAP_INLINE Grading grading_before_breakage(const Particles& particles) {
+  return internal::grading_before(particles, [](std::size_t) { return true; });
+}
+
+RIPRAP_INLINE Grading grading(const Particles& particles, MaterialIndex material) {
+  return internal::grading_of(particles, [&](std::size_t i) {
+    return i < particles.size() && particles.material(static_cast<BodyIndex>(i)) == material;
+  });
+}
+
+RIPRAP_INLINE Grading grading_before_breakage(const Particles& particles, MaterialIndex material) {
+  return internal::grading_before(particles, [&](std::size_t i) {
+    return i < particles.size() && particles.material(static_cast<BodyIndex>(i)) == material;
+  });
 }
 
 }  // namespace riprap

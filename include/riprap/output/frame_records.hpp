@@ -63,6 +63,7 @@ template <class Sim>
   record.add("parent", ancestry.parent);
   record.add("root", ancestry.root);
   record.add("generation", std::uint32_t{ancestry.generation});
+  record.add("material", std::uint32_t{particles.material(i)});
   record.add("motion", static_cast<std::uint32_t>(particles.body(i).motion));
   record.add("area", particles.shape(i).area);
   record.add("vertices", internal::coordinates(particles.local_ring(i)));
@@ -132,14 +133,15 @@ void add_elements(Record& record, const Sim& sim, BodyIndex i) {
   std::vector<std::uint32_t> failed;
   // The stress is linear in the loads, which the trigger may scale.
   const auto& breakage = sim.model().breakage_model;
-  const double scale = load_scale(breakage.trigger, sim.particles(), i);
+  const double scale = load_scale(breakage.trigger, sim.particles(), i, sim.rock(i));
   if constexpr (Sim::needs_elements) {
     stress = sim.element_stress(i);
     const Mesh mesh = sim.mesh(i);
+    const auto& criterion = criterion_of(breakage.criterion, sim.particles().material(i));
     nodes = mesh.nodes;
     for (const auto& t : mesh.triangles) triangles.insert(triangles.end(), t.begin(), t.end());
     for (std::size_t k = 0; k < stress.size(); ++k)
-      failed.push_back(evaluate(breakage.criterion, scale * stress[k]).failed());
+      failed.push_back(evaluate(criterion, scale * stress[k]).failed());
   }
   const auto of_points = [&](auto value) {
     return floats(stress.size(), [&](std::size_t k) { return value(scale * stress[k]); });

@@ -51,13 +51,13 @@ gradients_since(const std::vector<MaterialPoint>& reference, const Particles& pa
 
 }  // namespace internal
 
-/// Particles as polygons. Arrays: `id`, `parent` (-1: none), `root`, `generation`; `motion`, the
-/// place in enum Motion (0: free); `velocity` [m/s] and `spin` [rad/s]; `s11`, `s22`, `s12`, the
-/// mean stress of the particle [Pa], compression positive; `rattler` (0 or 1); where particles can
-/// break, `rat`. On request `volumetric_strain` (contraction positive), `deviatoric_strain` [-] and
-/// `rotation` [rad] of the material around the intact particle it comes from, since the reference
-/// (zero where that is unknown); `cg_s11`, `cg_s22`, `cg_s12`, coarse-grained stress at the
-/// centroid [Pa].
+/// Particles as polygons. Arrays: `id`, `parent` (-1: none), `root`, `generation`; `material`,
+/// the place in the list of rocks; `motion`, the place in enum Motion (0: free); `velocity` [m/s]
+/// and `spin` [rad/s]; `s11`, `s22`, `s12`, the mean stress of the particle [Pa], compression
+/// positive; `rattler` (0 or 1); where particles can break, `rat`. On request `volumetric_strain`
+/// (contraction positive), `deviatoric_strain` [-] and `rotation` [rad] of the material around the
+/// intact particle it comes from, since the reference (zero where that is unknown); `cg_s11`,
+/// `cg_s22`, `cg_s12`, coarse-grained stress at the centroid [Pa].
 template <class Sim>
 [[nodiscard]] VtpFile particles_vtp(const Sim& sim, const ParticleArrays& more = {}) {
   const Particles& particles = sim.particles();
@@ -74,6 +74,7 @@ template <class Sim>
   add("parent", [&](BodyIndex i) { return number(particles.ancestry(i).parent); });
   add("root", [&](BodyIndex i) { return number(particles.ancestry(i).root); });
   add("generation", [&](BodyIndex i) { return particles.ancestry(i).generation; });
+  add("material", [&](BodyIndex i) { return static_cast<int>(particles.material(i)); });
   add("motion", [&](BodyIndex i) { return static_cast<int>(particles.body(i).motion); });
   add("velocity", [&](BodyIndex i) { return particles.body(i).velocity; });
   add("spin", [&](BodyIndex i) { return particles.body(i).angular_velocity; });

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <riprap/core/errors.hpp>
+#include <riprap/core/ids.hpp>
 #include <riprap/core/linkage.hpp>
 #include <riprap/geometry/convex_polygon.hpp>
 #include <riprap/particle/body.hpp>
@@ -19,6 +20,7 @@ struct PlacedParticle {
   Motion motion = Motion::free;
   Vec2 velocity{0, 0};          ///< [m/s]
   double angular_velocity = 0;  ///< [rad/s]
+  MaterialIndex material = 0;   ///< in the simulation's list of rocks
 };
 
 /// Placed polygons of one out-of-plane thickness. Ids are given in the order of the list.

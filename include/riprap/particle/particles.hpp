@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <riprap/core/ids.hpp>
@@ -36,11 +37,23 @@ struct ParticleShape {
 /// contiguous pools, one in body frames and one in the laboratory's.
 class Particles {
  public:
-  Particles(double thickness, double density) : thickness_(thickness), density_(density) {}
+  /// Of one material [m, kg/m^3].
+  Particles(double thickness, double density)
+      : Particles(thickness, std::vector<double>{density}) {}
+  /// @param densities of the materials [kg/m^3]
+  Particles(double thickness, std::vector<double> densities)
+      : thickness_(thickness), densities_(std::move(densities)) {}
 
   [[nodiscard]] std::size_t size() const { return bodies_.size(); }
   [[nodiscard]] double thickness() const { return thickness_; }  ///< [m]
-  [[nodiscard]] double density() const { return density_; }      ///< [kg/m^3]
+  /// Of particle i [kg/m^3].
+  [[nodiscard]] double density(BodyIndex i) const { return densities_[materials_[i]]; }
+  [[nodiscard]] MaterialIndex material(BodyIndex i) const { return materials_[i]; }
+  /// Number of materials.
+  [[nodiscard]] std::size_t materials() const { return densities_.size(); }
+  /// Mass over volume of all bodies but walls and platens, of all where there are no others; that
+  /// of the material where there is one [kg/m^3].
+  [[nodiscard]] double mean_density() const;
 
   [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
   [[nodiscard]] std::vector<Body>& bodies() { return bodies_; }
@@ -63,9 +76,11 @@ class Particles {
   /// Adds a particle at rest in its present place, with a new id.
   /// @param polygon in laboratory coordinates [m]
   /// @param parent  ancestry of the particle it broke from; null for an intact particle
-  BodyIndex add(const ConvexPolygon& polygon, Motion motion, const Ancestry* parent = nullptr);
+  /// @param material below `materials()`
+  BodyIndex add(const ConvexPolygon& polygon, Motion motion, const Ancestry* parent = nullptr,
+                MaterialIndex material = 0);
 
-  /// Puts a new particle, with a new id, where a broken one was stored.
+  /// Puts a new particle, with a new id and the same material, where a broken one was stored.
   void replace(BodyIndex index, const ConvexPolygon& polygon, Motion motion,
                const Ancestry& parent);
 
@@ -102,10 +117,11 @@ class Particles {
 
   static void for_each_field(auto& self, auto&& visit) {
     visit("thickness", self.thickness_);
-    visit("density", self.density_);
+    visit("densities", self.densities_);
     visit("bodies", self.bodies_);
     visit("shapes", self.shapes_);
     visit("ancestries", self.ancestries_);
+    visit("materials", self.materials_);
     visit("dust", self.dust_);
     visit("local_vertices", self.local_);
     visit("unused_vertices", self.dead_vertices_);
@@ -124,10 +140,11 @@ class Particles {
   void compact();
 
   double thickness_;
-  double density_;
+  std::vector<double> densities_;  // of the materials
   std::vector<Body> bodies_;
   std::vector<ParticleShape> shapes_;
   std::vector<Ancestry> ancestries_;
+  std::vector<MaterialIndex> materials_;
   std::vector<DustPiece> dust_;
   std::vector<Vec2> local_;
   std::vector<Vec2> placed_;

@@ -10,12 +10,13 @@
 namespace riprap {
 
 RIPRAP_INLINE BodyIndex Particles::add(const ConvexPolygon& polygon, Motion motion,
-                                       const Ancestry* parent) {
+                                       const Ancestry* parent, MaterialIndex material) {
   const auto index = static_cast<BodyIndex>(bodies_.size());
   const Ancestry copy = parent ? *parent : Ancestry{};  // *parent may lie in ancestries_
   bodies_.emplace_back();
   shapes_.emplace_back();
   ancestries_.emplace_back();
+  materials_.push_back(material);
   place(index, polygon, motion, parent ? &copy : nullptr);
   return index;
 }
@@ -34,6 +35,7 @@ RIPRAP_INLINE void Particles::remove(BodyIndex i) {
   bodies_.erase(bodies_.begin() + at);
   shapes_.erase(shapes_.begin() + at);
   ancestries_.erase(ancestries_.begin() + at);
+  materials_.erase(materials_.begin() + at);
   if (dead_vertices_ > local_.size() / 2) compact();
 }
 
@@ -43,13 +45,29 @@ RIPRAP_INLINE std::optional<BodyIndex> Particles::find(ParticleId id) const {
   return static_cast<BodyIndex>(found - ancestries_.begin());
 }
 
+RIPRAP_INLINE double Particles::mean_density() const {
+  if (densities_.size() == 1) return densities_.front();
+  const auto mean = [this](bool walls) {
+    double mass = 0;
+    double volume = 0;
+    for (BodyIndex i = 0; i < size(); ++i) {
+      if (bodies_[i].is_wall() != walls) continue;
+      mass += bodies_[i].mass;
+      volume += thickness_ * shapes_[i].area;
+    }
+    return volume > 0 ? mass / volume : 0;
+  };
+  const double of_grains = mean(false);
+  return of_grains > 0 ? of_grains : mean(true);
+}
+
 RIPRAP_INLINE void Particles::place(BodyIndex index, const ConvexPolygon& polygon, Motion motion,
                                     const Ancestry* parent) {
   const AreaProperties properties = area_properties(polygon.ring());
   Body body;
   body.position = properties.centroid;
-  body.mass = density_ * thickness_ * properties.area;
-  body.inertia = density_ * thickness_ * properties.polar_moment;
+  body.mass = density(index) * thickness_ * properties.area;
+  body.inertia = density(index) * thickness_ * properties.polar_moment;
   body.motion = motion;
   bodies_[index] = body;
 

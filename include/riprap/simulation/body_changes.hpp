@@ -60,9 +60,11 @@ class BodyChanges {
   /// Throws InvalidInput if a number is not finite, or if it overlaps another body by more than
   /// three quarters of the smaller one; then nothing has changed but for the id that is used up.
   ParticleId add(const ConvexPolygon& polygon, Motion motion = Motion::free,
-                 const Vec2& velocity = {0, 0}, double spin = 0) {
+                 const Vec2& velocity = {0, 0}, double spin = 0, MaterialIndex material = 0) {
+    require(material < sim().particles_.materials(), "material of the added body", material,
+            "must be below the number of rocks");
     const Energy before = energy();
-    const BodyIndex i = sim().particles_.add(polygon, motion);
+    const BodyIndex i = sim().particles_.add(polygon, motion, nullptr, material);
     try {
       set_velocity(i, velocity, spin);
       update_contacts();

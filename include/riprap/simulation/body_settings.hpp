@@ -4,6 +4,8 @@
 /// Velocities that a program gives to bodies between steps.
 
 #include <cmath>
+#include <cstddef>
+#include <string>
 
 #include <riprap/core/errors.hpp>
 #include <riprap/particle/particles.hpp>
@@ -13,6 +15,13 @@ namespace riprap {
 /// Throws InvalidInput for a body that is not there.
 inline void require_body(const Particles& particles, BodyIndex i) {
   require(i < particles.size(), "body", i, "must be in the simulation");
+}
+
+/// Throws InvalidInput for a material without a rock.
+inline void require_material(ParticleId id, MaterialIndex material, std::size_t rocks) {
+  if (material >= rocks)
+    throw InvalidInput(particle_text(id) + ": material = " + std::to_string(material) +
+                       ": must be below the number of rocks, " + std::to_string(rocks));
 }
 
 /// Gives body i a velocity [m/s] and a spin [rad/s]. Throws InvalidInput for a body that is not

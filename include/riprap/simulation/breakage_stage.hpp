@@ -39,11 +39,11 @@ struct BreakageStage<ModelType> {
   /// Cracks of the present state. Throws SimulationError for a particle that has broken into too
   /// many pieces.
   template <class Contacts, class OnPhaseEnd>
-  const BreakagePass::Cracks& find_cracks(const ModelType& model, const Rock& rock,
+  const BreakagePass::Cracks& find_cracks(const ModelType& model, const Rocks& rocks,
                                           double mean_area, const Particles& particles,
                                           const Contacts& contacts, OnPhaseEnd&& on_phase_end) {
     const BreakageInput input{
-        model.breakage_model,  model.stress_model, rock, mean_area, particles, contacts, operators,
+        model.breakage_model,  model.stress_model, rocks, mean_area, particles, contacts, operators,
         model.execution_policy};
     const BreakagePass::Cracks& cracks = pass.find(input, screening, on_phase_end);
     for (const auto& [i, crack] : cracks)

@@ -37,7 +37,7 @@ BodyIndex replace_by_pieces(const ModelType& model, double smallest_mass, const 
     if (has_place)
       particles.replace(i, piece, Motion::free, ancestry);
     else
-      index = particles.add(piece, Motion::free, &ancestry);
+      index = particles.add(piece, Motion::free, &ancestry, particles.material(i));
     has_place = false;
     Body& body = particles.body(index);
     model.breakage_model.inheritance(parent, body);

@@ -4,22 +4,42 @@
 /// Sets up a simulation: checks its input and adds the particles of the assembly.
 
 #include <cstddef>
+#include <string>
 
 #include <riprap/core/errors.hpp>
 #include <riprap/dynamics/boundary/domain_of.hpp>
-#include <riprap/material/rock.hpp>
+#include <riprap/material/rocks.hpp>
 #include <riprap/particle/assembly.hpp>
 #include <riprap/particle/particles.hpp>
+#include <riprap/simulation/body_settings.hpp>
 
 namespace riprap {
 
-/// The model, if it, the assembly and the rock break no rule; else throws InvalidInput.
+namespace internal {
+
+/// A policy with parameters for each material has them for all rocks.
+template <class P>
+void require_all_materials(const char* role, const P& policy, const Rocks& rocks) {
+  if constexpr (requires { policy.materials(); })
+    if (const std::size_t count = policy.materials(); count != 0)
+      require(count == rocks.size(), std::string(role) + ": number of materials",
+              static_cast<double>(count),
+              "must be that of the rocks, " + std::to_string(rocks.size()));
+}
+
+}  // namespace internal
+
+/// The model, if it, the assembly and the rocks break no rule; else throws InvalidInput.
 template <class ModelType>
-[[nodiscard]] ModelType validated(ModelType model, const Assembly& assembly, const Rock& rock) {
+[[nodiscard]] ModelType validated(ModelType model, const Assembly& assembly, const Rocks& rocks) {
   using BoundaryType = decltype(ModelType::motion_model.boundary);
   model.validate();
   assembly.validate();
-  rock.validate();
+  rocks.validate();
+  internal::require_all_materials("contact law", model.contact_model.law, rocks);
+  internal::require_all_materials("criterion", model.breakage_model.criterion, rocks);
+  for (std::size_t i = 0; i < assembly.particles.size(); ++i)
+    require_material(static_cast<ParticleId>(i), assembly.particles[i].material, rocks.size());
   if (assembly.particles.empty()) throw InvalidInput("Assembly.particles is empty");
   if (!PeriodicBoundary<BoundaryType> && assembly.period != Vec2{0, 0})
     throw InvalidInput("Assembly.period is set: give the model a PeriodicCell as its boundary");
@@ -32,7 +52,7 @@ inline double add_particles(const Assembly& assembly, Particles& particles) {
   double area = 0;
   std::size_t grains = 0;
   for (const PlacedParticle& placed : assembly.particles) {
-    const BodyIndex i = particles.add(placed.polygon, placed.motion);
+    const BodyIndex i = particles.add(placed.polygon, placed.motion, nullptr, placed.material);
     Body& body = particles.body(i);
     body.velocity = placed.velocity;
     body.angular_velocity = placed.angular_velocity;

@@ -52,10 +52,10 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
   static constexpr bool needs_elements =
       breakable && riprap::needs_elements<decltype(ModelType::breakage_model)>;
 
-  /// Throws InvalidInput if the model, the assembly or the rock breaks a rule.
-  Simulation(ModelType model, const Assembly& assembly, const Rock& rock)
-      : model_(validated(std::move(model), assembly, rock)), motion_(model_.motion_model),
-        rock_(rock), particles_(assembly.thickness, rock.density),
+  /// One rock or a list. Throws InvalidInput if the model, the assembly or a rock breaks a rule.
+  Simulation(ModelType model, const Assembly& assembly, const Rocks& rocks)
+      : model_(validated(std::move(model), assembly, rocks)), motion_(model_.motion_model),
+        rocks_(rocks), particles_(assembly.thickness, rocks.densities()),
         contacts_(model_.contact_model.broad_phase, model_.contact_model.narrow_phase,
                   model_.contact_model.law),
         breakage_(model_) {
@@ -109,7 +109,8 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
 
   /// As it was given; for what experiments change see `boundary()`, `contact_law()` and the like.
   [[nodiscard]] const ModelType& model() const { return model_; }
-  [[nodiscard]] const Rock& rock() const { return rock_; }
+  [[nodiscard]] const Rocks& rocks() const { return rocks_; }
+  using StressQueries<Simulation>::rock;  // the first one, and that of particle i
   [[nodiscard]] const Particles& particles() const { return particles_; }
   [[nodiscard]] const Contacts& contacts() const { return contacts_; }
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
@@ -194,7 +195,7 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
   friend class StressQueries<Simulation>;
 
   [[nodiscard]] StressQuery<ModelType, Contacts> stress_query() const {
-    return {model_, rock_, particles_, contacts_, breakage_};
+    return {model_, rocks_, particles_, contacts_, breakage_};
   }
 
   [[nodiscard]] auto body_step() {
@@ -238,7 +239,7 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
   template <class OnPhaseEnd, class... Observers>
   void break_particles(OnPhaseEnd&& on_phase_end, Observers&... observers) {
     const BreakagePass::Cracks& cracks =
-        breakage_.find_cracks(model_, rock_, mean_area_, particles_, contacts_, on_phase_end);
+        breakage_.find_cracks(model_, rocks_, mean_area_, particles_, contacts_, on_phase_end);
     if (cracks.empty()) return;
     const std::size_t first = breaks_.size();
     (hooks::before_splits(observers, *this), ...);
@@ -279,7 +280,7 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
 
   ModelType model_;                           // as it was given
   decltype(ModelType::motion_model) motion_;  // as experiments have changed it
-  Rock rock_;
+  Rocks rocks_;
   Particles particles_;
   Contacts contacts_;
   ExternalLoads loads_;

@@ -19,9 +19,9 @@ namespace riprap {
 template <class ModelType, class Contacts>
 class StressQuery {
  public:
-  StressQuery(const ModelType& model, const Rock& rock, const Particles& particles,
+  StressQuery(const ModelType& model, const Rocks& rocks, const Particles& particles,
               const Contacts& contacts, const BreakageStage<ModelType>& stage)
-      : model_(model), rock_(rock), particles_(particles), contacts_(contacts), stage_(stage) {}
+      : model_(model), rocks_(rocks), particles_(particles), contacts_(contacts), stage_(stage) {}
 
   /// Element stresses of particle i under its present contact forces, in its own frame, in the
   /// order of its sampling points.
@@ -49,28 +49,31 @@ class StressQuery {
       if (!particles_.body(i).is_free() || loads.of(i).empty()) continue;
       const auto op = find_operator(i);
       ratios[i] = evaluate_particle(model_.breakage_model, model_.stress_model.support, *op,
-                                    particles_, i, loads.of(i), evaluate)
+                                    rock(i), particles_, i, loads.of(i), evaluate)
                       .failures.ratio();
     }
     return ratios;
   }
+
+  /// Of particle i.
+  [[nodiscard]] const Rock& rock(BodyIndex i) const { return rocks_[particles_.material(i)]; }
 
  private:
   // From memory or built anew.
   [[nodiscard]] std::shared_ptr<const InfluenceOperator> find_operator(BodyIndex i) const {
     if (const InfluenceOperator* known = stage_.find_operator(i))
       return {std::shared_ptr<const InfluenceOperator>(), known};  // does not own it
-    return build_operator(model_.stress_model, rock_, particles_, i);
+    return build_operator(model_.stress_model, rock(i), particles_, i);
   }
 
   const ModelType& model_;
-  const Rock& rock_;
+  const Rocks& rocks_;
   const Particles& particles_;
   const Contacts& contacts_;
   const BreakageStage<ModelType>& stage_;
 };
 
-/// Base of a Simulation: what it says of the stress in its particles.
+/// Base of a Simulation: what it says of the rock of its particles and the stress in them.
 template <class Sim>
 class StressQueries {
  public:
@@ -84,6 +87,13 @@ class StressQueries {
     return query(i).sampling_points(i);
   }
   [[nodiscard]] Mesh mesh(BodyIndex i) const { return query(i).mesh(i); }
+  /// The first rock, which is that of all particles where there is one only.
+  [[nodiscard]] const Rock& rock() const { return sim().rocks().front(); }
+  /// The rock of particle i.
+  [[nodiscard]] const Rock& rock(BodyIndex i) const {
+    require_body(sim().particles(), i);
+    return sim().rocks()[sim().particles().material(i)];
+  }
   /// Rat of every particle now (0 for driven and unloaded ones, and for all where neither trigger
   /// nor line fit needs elements), in the order of the bodies.
   [[nodiscard]] std::vector<double> failed_ratios() const {

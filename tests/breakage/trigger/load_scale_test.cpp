@@ -14,7 +14,7 @@ TEST_CASE("a weak particle carries its load as a strong one would carry a larger
   Particles particles(0.016, 2500);
   particles.add(ConvexPolygon{{0, 0}, {0.016, 0}, {0.016, 0.016}, {0, 0.016}}, Motion::free);
   const WeibullStrength weibull{};
-  CHECK(load_scale(weibull, particles, 0) ==
+  CHECK(load_scale(weibull, particles, 0, Rock{}) ==
         near_relative(1 / weibull.strength_factor(0, particles.shape(0).area), 1e-15));
-  CHECK(load_scale(FailedElementRatio{}, particles, 0) == 1);
+  CHECK(load_scale(FailedElementRatio{}, particles, 0, Rock{}) == 1);
 }

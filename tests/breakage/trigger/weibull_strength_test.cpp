@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <riprap/breakage/trigger/weibull_strength.hpp>
 #include <vector>
 
@@ -45,6 +46,64 @@ TEST_CASE("eight times the area makes a particle weaker by 8^(-1/m)") {
           near_relative(0.659754, 1e-6));
 }
 
+TEST_CASE("at the reference size a share of 1/e is stronger than the characteristic strength") {
+  constexpr unsigned n = 100000;
+  for (const double dimension : {0.0, 2.0, 3.0}) {
+    const WeibullStrength trigger{.modulus = 3, .dimension = dimension};
+    const double d = 3;  // times that of the reference
+    for (const double size : {1.0, d}) {
+      // sigma_0 d_0, and at another size its strength by the size effect.
+      const double strength = std::pow(size, -dimension / trigger.modulus);
+      const std::vector<double> s = factors(trigger, size * size * trigger.reference_area, n);
+      const auto stronger = s.end() - std::upper_bound(s.begin(), s.end(), strength);
+      // Five standard errors of a share.
+      CHECK(std::abs(static_cast<double>(stronger) / n - 0.367879) < 5 * std::sqrt(0.2325 / n));
+    }
+  }
+}
+
+TEST_CASE("medians of many diameters lie on a line of slope -D / m in logarithms") {
+  constexpr unsigned n = 4000;
+  for (const double m : {2.0, 5.0})
+    for (const double dimension : {2.0, 3.0}) {
+      const WeibullStrength trigger{.modulus = m, .dimension = dimension};
+      std::vector<double> x;
+      std::vector<double> y;
+      ParticleId first = 0;  // other particles for each diameter
+      for (int k = 0; k < 12; ++k) {
+        const double d = 0.002 * std::pow(1.4, k);  // 2 to 80 mm
+        std::vector<double> s;
+        for (ParticleId id = first; id < first + n; ++id)
+          s.push_back(trigger.strength_factor(id, std::numbers::pi / 4 * d * d));
+        first += n;
+        std::nth_element(s.begin(), s.begin() + n / 2, s.end());
+        x.push_back(std::log(d));
+        y.push_back(std::log(s[n / 2]));
+      }
+      double mean_x = 0;
+      double mean_y = 0;
+      for (std::size_t k = 0; k < x.size(); ++k) {
+        mean_x += x[k] / 12;
+        mean_y += y[k] / 12;
+      }
+      double xx = 0;
+      double xy = 0;
+      for (std::size_t k = 0; k < x.size(); ++k) {
+        xx += (x[k] - mean_x) * (x[k] - mean_x);
+        xy += (x[k] - mean_x) * (y[k] - mean_y);
+      }
+      // ln s = ln(draw) / m: the median's standard error is 1 / (2 f sqrt(n)), f = m ln 2 / 2; that
+      // of the slope follows from it by the spread of ln d. Four of them.
+      const double of_median = 1 / (m * std::log(2.0) * std::sqrt(n));
+      CHECK(std::abs(xy / xx + dimension / m) < 4 * of_median / std::sqrt(xx));
+      CHECK(4 * of_median / std::sqrt(xx) < 0.02);  // tells 2 / m from 3 / m
+      // The median itself: (ln 2)^(1/m) (d / d_0)^(-D / m).
+      const double d_0 = std::sqrt(4 / std::numbers::pi * trigger.reference_area);
+      const double at_mean = std::log(std::log(2.0)) / m - dimension / m * (mean_x - std::log(d_0));
+      CHECK(std::abs(mean_y - at_mean) < 4 * of_median / std::sqrt(12.0));
+    }
+}
+
 TEST_CASE("a particle keeps its strength, another seed gives it another one") {
   CHECK(WeibullStrength{}.strength_factor(5, 1e-4) == WeibullStrength{}.strength_factor(5, 1e-4));
   CHECK(WeibullStrength{.seed = 2}.strength_factor(5, 1e-4) !=
@@ -56,6 +115,7 @@ TEST_CASE("parameters are checked") {
                        "WeibullStrength.modulus = 0: must be a finite number above 0",
                        InvalidInput);
   CHECK_THROWS_AS(WeibullStrength{.reference_area = -1}.validate(), InvalidInput);
+  CHECK_THROWS_AS(WeibullStrength{.dimension = -1}.validate(), InvalidInput);
   CHECK_NOTHROW(WeibullStrength{}.validate());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <riprap/breakage/trigger/with_weibull_strength.hpp>
 
+#include <cmath>
 #include <doctest/doctest.h>
 
 #include <riprap/breakage/line_fit/loaded_diameter.hpp>
@@ -29,6 +30,10 @@ TEST_CASE("of the failed-element ratio it is WeibullStrength") {
   const WeibullStrength weibull{.modulus = 3, .critical = 0.3, .seed = 7};
   for (const ParticleId id : {0u, 5u, 77u})
     CHECK(with.strength_factor(id, 1e-4) == weibull.strength_factor(id, 1e-4));
+  const WithWeibullStrength<FailedElementRatio> by_volume{.modulus = 3, .dimension = 3};
+  // An eighth of the reference area: 8^(1.5 / 3) in place of 8^(1 / 3), of the same draw.
+  CHECK(by_volume.strength_factor(7, 2e-4 / 8) / by_volume.strength_factor(7, 2e-4) ==
+        near_relative(std::sqrt(8.0), 1e-14));
   for (const std::size_t failed : {29u, 30u})
     CHECK(with(FailureCount{.elements = 100, .failed = failed}) ==
           weibull(FailureCount{.elements = 100, .failed = failed}));

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-PARTICLE = ["id", "parent", "root", "generation", "motion", "velocity", "spin", "s11", "s22",
-            "s12", "rattler", "rat", "volumetric_strain", "deviatoric_strain", "rotation",
+PARTICLE = ["id", "parent", "root", "generation", "material", "motion", "velocity", "spin",
+            "s11", "s22", "s12", "rattler", "rat", "volumetric_strain", "deviatoric_strain", "rotation",
             "cg_s11", "cg_s22", "cg_s12"]
 CONTACT = ["a", "b", "normal_force", "tangential_force", "depth"]
 

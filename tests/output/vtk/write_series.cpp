@@ -35,11 +35,12 @@ void describe(std::ofstream& out, const Sim& sim, const std::vector<MaterialPoin
     const Ancestry& a = particles.ancestry(i);
     const Body& b = particles.body(i);
     const double parent = a.generation > 0 ? a.parent : -1.0;
-    line(out, "particle", a.id, parent, a.root, a.generation, static_cast<int>(b.motion),
-         b.velocity.x(), b.velocity.y(), 0, b.angular_velocity, stresses[i].s11, stresses[i].s22,
-         stresses[i].s12, is_rattler[i], ratios[i], gradients[i].volumetric_strain(),
-         gradients[i].deviatoric_strain(), gradients[i].rotation(), smooth[i].s11, smooth[i].s22,
-         smooth[i].s12, particles.shape(i).area, b.position.x(), b.position.y());
+    line(out, "particle", a.id, parent, a.root, a.generation, int{particles.material(i)},
+         static_cast<int>(b.motion), b.velocity.x(), b.velocity.y(), 0, b.angular_velocity,
+         stresses[i].s11, stresses[i].s22, stresses[i].s12, is_rattler[i], ratios[i],
+         gradients[i].volumetric_strain(), gradients[i].deviatoric_strain(),
+         gradients[i].rotation(), smooth[i].s11, smooth[i].s22, smooth[i].s12,
+         particles.shape(i).area, b.position.x(), b.position.y());
     out << "ring";
     for (const Vec2& v : particles.ring(i)) out << ' ' << to_text(v.x()) << ' ' << to_text(v.y());
     out << '\n';

@@ -45,7 +45,7 @@ class StressBoundScreening::State<BreakagePart, StressPart> {
  public:
   State(const BreakagePart& breakage, const StressPart& stress)
       : unscreened_(breakage, stress), active_(stress.support.is_linear()),
-        workspaces_(shares, Workspace{FailureScreening(MohrRadiusTable::of(breakage.criterion))}) {}
+        workspaces_(shares, Workspace{screenings_of(breakage.criterion)}) {}
 
   template <class Input, class IsLoaded, class OnPhaseEnd>
   void find_candidates(const Input& input, ContactLoads& loads, IsLoaded&& is_loaded,
@@ -68,12 +68,23 @@ class StressBoundScreening::State<BreakagePart, StressPart> {
  private:
   // Workspace of one thread.
   struct Workspace {
-    FailureScreening screening;
+    std::vector<FailureScreening> screenings;  // one, or one of each material
     std::vector<BoundaryLoad> loads{};
     std::vector<LocatedPoint> points{};
     ElementStressF32 stress{};
     WeightedInfluence influence{};
   };
+  using CriterionT = decltype(BreakagePart::criterion);
+  [[nodiscard]] static std::vector<FailureScreening> screenings_of(const CriterionT& criterion) {
+    std::vector<FailureScreening> all;
+    if constexpr (MaterialCriterion<CriterionT>)
+      for (std::size_t m = 0; m < criterion.materials(); ++m)
+        all.emplace_back(MohrRadiusTable::of(criterion.of_material(static_cast<MaterialIndex>(m))));
+    else
+      all.emplace_back(MohrRadiusTable::of(criterion));
+    return all;
+  }
+
   static constexpr std::size_t shares = 16;  // more than the usual number of threads
 
   // All particles whose bounds do not exclude that they break, in order.
@@ -144,6 +155,8 @@ class StressBoundScreening::State<BreakagePart, StressPart> {
     const InfluenceOperatorF32& op = input.operators.single_precision(i, input.builder(i));
     const Rotation& rotation = input.particles.body(i).rotation;
     const double scale = input.scale(i);
+    FailureScreening& screening =
+        work.screenings[MaterialCriterion<CriterionT> ? input.particles.material(i) : 0];
     work.loads.clear();
     work.points.clear();
     for (const ContactLoad& load : loads.of(i)) {
@@ -152,11 +165,11 @@ class StressBoundScreening::State<BreakagePart, StressPart> {
       work.points.push_back(point);
     }
     op.find_stress(work.loads, scale, work.stress);
-    const auto [may, stress_margin] = screened(input.breakage.trigger, op, work);
+    const auto [may, stress_margin] = screened(input.breakage.trigger, op, screening, work);
     if (may || work.loads.size() > StressChangeBound::capacity) {
       bounds_[i].clear();
     } else {
-      work.influence.assign(op, work.loads, work.points, work.screening.factors());
+      work.influence.assign(op, work.loads, work.points, screening.factors());
       bounds_[i].reset(loads.of(i), work.loads, work.points, rotation, work.influence,
                        stress_margin / scale);
     }
@@ -167,14 +180,15 @@ class StressBoundScreening::State<BreakagePart, StressPart> {
   // Whether the trigger may fire, and below which change of all stresses it does not.
   template <class T>
   [[nodiscard]] static std::pair<bool, double>
-  screened(const T& trigger, const InfluenceOperatorF32& op, Workspace& work) {
+  screened(const T& trigger, const InfluenceOperatorF32& op, FailureScreening& screening,
+           const Workspace& work) {
     if constexpr (requires { trigger.failed_area_needed(); }) {
       const double needed = trigger.failed_area_needed() * static_cast<double>(op.elements());
-      const ScreeningResult result = work.screening(work.stress, op.area_weights(), needed);
+      const ScreeningResult result = screening(work.stress, op.area_weights(), needed);
       return {result.possible > 0, result.stress_margin};
     } else {
       const std::size_t needed = trigger.failed_elements_needed(op.elements());
-      const ScreeningResult result = work.screening(work.stress, needed);
+      const ScreeningResult result = screening(work.stress, needed);
       return {result.possible >= needed, result.stress_margin};
     }
   }

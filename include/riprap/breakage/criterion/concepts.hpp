@@ -5,9 +5,11 @@
 
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 
+#include <riprap/core/ids.hpp>
 #include <riprap/core/policy.hpp>
 #include <riprap/core/stress2.hpp>
 
@@ -49,15 +51,27 @@ concept CriterionExtremes = !requires(C& criterion, PrincipalValues& in_plane) {
   { criterion.extreme_stresses(in_plane) } -> std::convertible_to<PrincipalValues>;
 };
 
+/// Optional: `criterion.of_material(material)` -> the criterion of a particle of that material, and
+/// `criterion.materials()`, for how many it has one. Its own curve is then a lower bound on theirs.
+/// Non-const functions would be ignored silently.
+template <class C>
+concept CriterionMaterials = !requires(C& criterion, MaterialIndex material) {
+  criterion.of_material(material);
+} || requires(const C& criterion, const MaterialIndex material, const double minor) {
+  { criterion.of_material(material).major_stress_at_failure(minor) } -> std::convertible_to<double>;
+  { criterion.of_material(material).tensile_strength() } -> std::convertible_to<double>;
+  { criterion.materials() } -> std::convertible_to<std::size_t>;
+};
+
 }  // namespace requirements
 
 /// A `Criterion` is a curve in the plane of the principal stresses, compression positive.
 ///
 /// Optional: `C::never_fails == true`, and the stress analysis is left out of the program.
 template <class C>
-concept Criterion =
-    Policy<C> && requirements::CriterionCurve<C> && requirements::CriterionTension<C> &&
-    requirements::CriterionAngle<C> && requirements::CriterionExtremes<C>;
+concept Criterion = Policy<C> && requirements::CriterionCurve<C> &&
+                    requirements::CriterionTension<C> && requirements::CriterionAngle<C> &&
+                    requirements::CriterionExtremes<C> && requirements::CriterionMaterials<C>;
 
 /// A criterion by which an element may fail in planes that are inclined to its own.
 template <class C>
@@ -65,6 +79,12 @@ concept OutOfPlaneCriterion =
     Criterion<C> && requires(const C& criterion, const PrincipalValues& in_plane) {
       criterion.extreme_stresses(in_plane);
     };
+
+/// A criterion that differs from material to material.
+template <class C>
+concept MaterialCriterion = Criterion<C> && requires(const C& criterion, MaterialIndex material) {
+  criterion.of_material(material);
+};
 
 template <class C>
 consteval bool check_criterion() {
@@ -79,7 +99,19 @@ consteval bool check_criterion() {
   static_assert(requirements::CriterionExtremes<C>,
                 "riprap: extreme_stresses of a Criterion must be PrincipalValues "
                 "extreme_stresses(const PrincipalValues& in_plane) const");
+  static_assert(requirements::CriterionMaterials<C>,
+                "riprap: of_material of a Criterion must be const and return a Criterion, beside "
+                "std::size_t materials() const");
   return Criterion<C>;
+}
+
+/// The criterion of a material: the one itself where it is the same for all.
+template <Criterion C>
+[[nodiscard]] const auto& criterion_of(const C& criterion, MaterialIndex material) {
+  if constexpr (MaterialCriterion<C>)
+    return criterion.of_material(material);
+  else
+    return criterion;
 }
 
 /// True for a criterion that declares that nothing ever fails by it.

@@ -12,6 +12,7 @@ namespace riprap {
 
 /// Holds one of several criteria and passes every question on to it.
 template <Criterion... Criteria>
+  requires(!MaterialCriterion<Criteria> && ...)  // put it into a CriterionOfRock instead
 struct CriterionChoice {
   std::variant<Criteria...> chosen;
 

@@ -14,6 +14,7 @@ namespace riprap {
 /// out of the plane as well: under compression from all sides in plane stress the smallest is 0,
 /// and the confinement in the plane adds no strength.
 template <Criterion C>
+  requires(!MaterialCriterion<C>)  // put it into a CriterionOfRock instead
 struct ThreePrincipalStresses {
   static constexpr bool never_fails = riprap::never_fails<C>;
 

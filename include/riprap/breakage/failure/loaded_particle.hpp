@@ -17,7 +17,7 @@ namespace riprap {
 /// Read-only view, valid during one call of a policy. Nothing is computed before it is asked for.
 class LoadedParticle {
  public:
-  /// Of particle i. @param loads on it, over its strength factor for triggers that have one
+  /// Of particle i. @param loads on it, over its strength factor
   LoadedParticle(const Particles& particles, BodyIndex i, std::span<const ContactLoad> loads,
                  const Rock& rock, const CriterionView& criterion)
       : particles_(particles), index_(i), loads_(loads), rock_(rock), criterion_(criterion) {}
@@ -29,13 +29,15 @@ class LoadedParticle {
   [[nodiscard]] const Vec2& centroid() const { return body().position; }
   [[nodiscard]] double area() const { return particles_.shape(index_).area; }  ///< [m^2]
   [[nodiscard]] double thickness() const { return particles_.thickness(); }    ///< [m]
+  /// Of which it consists, and the place of it in the list of rocks.
   [[nodiscard]] const Rock& rock() const { return rock_; }
-  /// The criterion of the model.
+  [[nodiscard]] MaterialIndex material() const { return particles_.material(index_); }
+  /// The criterion of the model; that of the rock where it has one for each.
   [[nodiscard]] const CriterionView& criterion() const { return criterion_; }
 
   /// Contact loads in the order of the contacts: `force_lab` on the particle [N], `arm_lab` from
-  /// the centroid to the point of contact [m], in laboratory axes. Where the trigger has a
-  /// `strength_factor`, forces are divided by that of the particle.
+  /// the centroid to the point of contact [m], in laboratory axes. Forces are divided by the
+  /// strength factors of the rock and, where the trigger has one, of the particle.
   [[nodiscard]] std::span<const ContactLoad> loads() const { return loads_; }
   /// Point of contact of a load, in laboratory coordinates [m].
   [[nodiscard]] Vec2 point(const ContactLoad& load) const { return centroid() + load.arm_lab; }

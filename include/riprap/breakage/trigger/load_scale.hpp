@@ -4,18 +4,21 @@
 /// Scale of the loads on a particle, from its strength.
 
 #include <riprap/breakage/trigger/concepts.hpp>
+#include <riprap/material/rock.hpp>
 #include <riprap/particle/particles.hpp>
 
 namespace riprap {
 
-/// What the stress of particle i is multiplied by: one over the particle's own strength, for
-/// triggers that have one; the criterion stays as it is.
+/// What the stress of particle i is multiplied by: one over the strength factor of its rock and,
+/// for triggers that have one, the particle's own; the criterion stays as it is.
 template <Trigger T>
-[[nodiscard]] double load_scale(const T& trigger, const Particles& particles, BodyIndex i) {
+[[nodiscard]] double load_scale(const T& trigger, const Particles& particles, BodyIndex i,
+                                const Rock& rock) {
   if constexpr (HasStrengthFactor<T>)
-    return 1 / trigger.strength_factor(particles.ancestry(i).id, particles.shape(i).area);
+    return 1 / (rock.strength_factor *
+                trigger.strength_factor(particles.ancestry(i).id, particles.shape(i).area));
   else
-    return 1;
+    return 1 / rock.strength_factor;
 }
 
 }  // namespace riprap

@@ -14,18 +14,24 @@
 namespace riprap {
 
 /// The strength of a particle of area A is the criterion's times a factor s with
-/// P(s) = 1 - exp(-(A / A_0) s^m) (Weibull 1951): the same draw for a particle all its life,
-/// another for each of its pieces. The breaking rule is that of FailedElementRatio.
+/// P(s) = 1 - exp(-(d / d_0)^D s^m), d / d_0 = sqrt(A / A_0) (Weibull 1951): the same draw for a
+/// particle all its life, another for each of its pieces. Of particles of one size a share of
+/// exp(-1), 37 %, is stronger than s = (d / d_0)^(-D / m): the size effect. D is 2 where flaws are
+/// counted by the area of the particle, as for prisms of one thickness, and 3 where they are
+/// counted by the volume of a grain, d^3, as for the rock that the particle stands for (McDowell
+/// and Bolton 1998). The breaking rule is that of FailedElementRatio.
 struct WeibullStrength {
   double modulus = 5;  ///< m [-]; the higher, the more alike the particles
   double reference_area =
       2e-4;               ///< A_0 [m^2]: a particle of this area has the characteristic strength
   double critical = 0.4;  ///< RatF [-]
   std::uint64_t seed = 1;
+  double dimension = 2;  ///< D [-]; 0: no size effect
 
   /// Strength of a particle over that of the criterion [-].
   [[nodiscard]] double strength_factor(ParticleId id, double area) const {
-    return std::pow(-std::log1p(-draw(seed, id)) * reference_area / area, 1 / modulus);
+    const double by_area = -std::log1p(-draw(seed, id)) * reference_area / area;
+    return std::pow(by_area * std::pow(reference_area / area, 0.5 * dimension - 1), 1 / modulus);
   }
   [[nodiscard]] bool operator()(const FailureCount& failures) const {
     return failures.ratio() >= critical;
@@ -39,12 +45,14 @@ struct WeibullStrength {
     visit("reference_area", self.reference_area);
     visit("critical", self.critical);
     visit("seed", self.seed);
+    visit("dimension", self.dimension);
   }
 
   void validate() const {
     require_positive("WeibullStrength.modulus", modulus);
     require_positive("WeibullStrength.reference_area", reference_area);
     require_positive("WeibullStrength.critical", critical);
+    require_non_negative("WeibullStrength.dimension", dimension);
   }
 };
 

@@ -18,6 +18,7 @@ struct WithWeibullStrength {
   double modulus = 5;            ///< as of WeibullStrength [-]
   double reference_area = 2e-4;  ///< [m^2]
   std::uint64_t seed = 1;
+  double dimension = 2;  ///< of the size effect [-]: strength falls as d^(-dimension / modulus)
 
   /// Strength of a particle over that of the mean one [-].
   [[nodiscard]] double strength_factor(ParticleId id, double area) const {
@@ -54,6 +55,7 @@ struct WithWeibullStrength {
     visit("modulus", self.modulus);
     visit("reference_area", self.reference_area);
     visit("seed", self.seed);
+    visit("dimension", self.dimension);
   }
 
   void validate() const {
@@ -63,7 +65,8 @@ struct WithWeibullStrength {
 
  private:
   [[nodiscard]] WeibullStrength strength() const {
-    return {.modulus = modulus, .reference_area = reference_area, .seed = seed};
+    return {
+        .modulus = modulus, .reference_area = reference_area, .seed = seed, .dimension = dimension};
   }
 };
 template <class T>

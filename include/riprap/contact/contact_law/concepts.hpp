@@ -6,6 +6,7 @@
 #include <concepts>
 
 #include <riprap/contact/pair/contact_geometry.hpp>
+#include <riprap/core/ids.hpp>
 #include <riprap/core/policy.hpp>
 
 namespace riprap {
@@ -16,6 +17,8 @@ struct ContactMotion {
   double tangential_velocity = 0;  ///< of b relative to a along the tangent [m/s]
   double time_step = 0;            ///< [s]; zero: re-evaluate without motion
   double effective_mass = 0;       ///< m_a m_b / (m_a + m_b) [kg], of driven bodies infinite mass
+  MaterialIndex material_a = 0;    ///< of the two bodies, in the simulation's list of rocks
+  MaterialIndex material_b = 0;
 };
 
 /// The force that a exerts on b.
@@ -103,7 +106,8 @@ concept ContactLawDivided =
 /// experiments take the friction away while they compact, if the law can be assigned; likewise
 /// `law.with_friction(mu)` for samples that are compacted with another friction. A member
 /// `may_pull` that is true: the normal force may be negative. `law.divided_history` for contacts of
-/// particles that break.
+/// particles that break. `law.materials()`: for how many materials it has parameters; none or 0:
+/// the same for all.
 template <class L>
 concept ContactLaw =
     Policy<L> && requirements::ContactLawHistory<L> && requirements::ContactLawCall<L> &&

@@ -3,6 +3,7 @@
 /// @file
 /// A contact law chosen at run time: one more model of the role, for programs with options.
 
+#include <cstddef>
 #include <variant>
 
 #include <riprap/contact/contact_law/concepts.hpp>
@@ -50,6 +51,17 @@ struct ContactLawChoice {
           const auto* own = std::get_if<HistoryOf<Law>>(&history);
           if (!own) return HistoryOf<Law>{};
           return HistoryOf<Law>{riprap::divided_history(law, own->history, geometry, part)};
+        },
+        chosen);
+  }
+  /// Of the chosen law; 0 for one that is the same for all materials.
+  [[nodiscard]] std::size_t materials() const {
+    return std::visit(
+        [](const auto& law) -> std::size_t {
+          if constexpr (requires { law.materials(); })
+            return law.materials();
+          else
+            return 0;
         },
         chosen);
   }
