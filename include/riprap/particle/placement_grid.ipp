@@ -53,14 +53,20 @@ RIPRAP_INLINE std::vector<double> random_diameters(const RandomAssembly& options
   return diameters;
 }
 
+/// The next polygon of the options, of this diameter [m].
+[[nodiscard]] RIPRAP_INLINE ConvexPolygon next_polygon(const RandomAssembly& options, double size,
+                                                       Random& random) {
+  if (!options.outlines.empty()) return random_outline(options.outlines, size, random);
+  if (options.prescribed_shape) return random_polygon(*options.prescribed_shape, size, random);
+  return random_polygon(options.shape, size, random);
+}
+
 RIPRAP_INLINE RandomPolygons random_polygons(const RandomAssembly& options, Random& random) {
   RandomPolygons made;
   const std::vector<double> diameters = shuffled_diameters(options, random);
   for (unsigned i = 0; i < options.count; ++i) {
     const double size = diameters.empty() ? drawn_diameter(options, random) : diameters[i];
-    made.polygons.push_back(options.outlines.empty()
-                                ? random_polygon(options.shape, size, random)
-                                : random_outline(options.outlines, size, random));
+    made.polygons.push_back(next_polygon(options, size, random));
     made.area += area_properties(made.polygons.back().ring()).area;
     for (const Vec2& v : made.polygons.back()) made.farthest = std::max(made.farthest, v.norm());
   }
