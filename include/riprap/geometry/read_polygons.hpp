@@ -3,6 +3,7 @@
 /// @file
 /// Reads lists of polygons from files: well-known text (WKT) or comma-separated values (CSV).
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <istream>
@@ -67,26 +68,37 @@ void read_wkt_rings(std::istream& in, const std::string& name, auto&& take) {
   if (!any) throw_no_polygons(name);
 }
 
-/// Gives the ring of every id of a table `id,x,y` to `take`; an InvalidInput of that gets the name
-/// of the file and the lines.
-void read_csv_rings(std::istream& in, const std::string& name, auto&& take) {
-  CsvReader rows(in, name, "id,x,y");
+/// Gives the ring of every id of a table to `take`; an InvalidInput of that gets the name of the
+/// file and the lines. The columns of the table begin with the id and end with x and y.
+/// @param see(rows, is_first) is called with every row, after the ring before it was taken
+void read_csv_rings(std::istream& in, const std::string& name, const std::string& header,
+                    auto&& see, auto&& take) {
+  CsvReader rows(in, name, header);
+  const auto x_column = static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) - 1;
   std::unordered_set<std::string> ids;
   CsvRing ring;
   while (rows.next()) {
     const std::string& id = rows.text(0);
     const std::size_t line = rows.lines().number();
-    if (!ring.has(id)) {
+    const bool is_first = !ring.has(id);
+    if (is_first) {
       if (id.empty()) rows.fail(0, "must not be empty");
       ring.finish(name, take);
       if (!ids.insert(id).second) rows.fail(0, "its vertices must stand in consecutive rows");
       ring.begin(id, line);
     }
-    const double x = rows.number(1);
-    ring.add({x, rows.number(2)}, line);
+    see(rows, is_first);
+    const double x = rows.number(x_column);
+    ring.add({x, rows.number(x_column + 1)}, line);
   }
   ring.finish(name, take);
   if (ids.empty()) throw_no_polygons(name);
+}
+
+/// The same of a table `id,x,y`.
+void read_csv_rings(std::istream& in, const std::string& name, auto&& take) {
+  read_csv_rings(
+      in, name, "id,x,y", [](const CsvReader& /*rows*/, bool /*is_first*/) {}, take);
 }
 
 /// Gives the rings of a file NAME.wkt or NAME.csv to `take`.
