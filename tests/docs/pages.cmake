@@ -38,6 +38,7 @@ compare(docs/conformance.md docs/examples/conformance.cpp)
 compare(docs/measurements.md docs/examples/measurements.cpp)
 compare(docs/paths.md docs/examples/paths.cpp)
 compare(docs/reading.md docs/examples/reading.cpp)
+compare(docs/shapes.md docs/examples/shapes.cpp)
 compare(docs/unconfined.md docs/examples/unconfined.cpp)
 compare(README.md examples/compose/compose.cpp)
 
