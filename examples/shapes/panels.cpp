@@ -54,8 +54,8 @@ riprap::Svg shape_panels(const std::vector<ShapePanel>& panels, std::size_t colu
   for (const ShapePanel& panel : panels) largest = std::max(largest, Box(panel).size());
   for (std::size_t k = 0; k < panels.size(); ++k) {
     const Box box(panels[k]);
-    const Vec2 corner{width * static_cast<double>(k % columns),
-                      height * static_cast<double>(k / columns)};
+    const std::size_t row = k / columns;
+    const Vec2 corner{width * static_cast<double>(k % columns), height * static_cast<double>(row)};
     draw(svg, panels[k], corner, box, side / (same_scale ? largest : box.size()));
   }
   return svg;

@@ -59,7 +59,7 @@ struct Measures {
         sum += value;
         squares += value * value;
       }
-      const double n = static_cast<double>(polygons.size());
+      const auto n = static_cast<double>(polygons.size());
       return Spread{sum / n, std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n)))};
     };
     elongation = spread([](const ConvexPolygon& p) { return moment_elongation(p.ring()); });

@@ -11,6 +11,7 @@
 #include <riprap/core/errors.hpp>
 #include <riprap/geometry/convex_parts.hpp>
 #include <riprap/geometry/line_side.hpp>
+#include <riprap/geometry/polygon_properties.hpp>
 
 namespace riprap {
 
@@ -156,7 +157,8 @@ class DiagonalFlips {
 /// Parts by the places of their vertices in a ring, which can be joined.
 class JoinedParts {
  public:
-  JoinedParts(Ring ring, const std::vector<TriangleIndices>& triangles) : ring_(ring) {
+  JoinedParts(Ring ring, const std::vector<TriangleIndices>& triangles)
+      : ring_(ring), extent_(diameter(ring)) {
     for (const TriangleIndices& t : triangles) parts_.emplace_back(t.begin(), t.end());
     left_of_ = parts_by_edge(parts_);
   }
@@ -175,7 +177,7 @@ class JoinedParts {
   [[nodiscard]] std::vector<ConvexPolygon> polygons() const {
     std::vector<ConvexPolygon> out;
     for (const auto& part : parts_)
-      if (!part.empty()) out.push_back(ConvexPolygon(vertices(part)));
+      if (!part.empty()) append(part, out);
     return out;
   }
 
@@ -185,6 +187,24 @@ class JoinedParts {
     for (const std::uint32_t v : part) out.push_back(ring_[v]);
     return out;
   }
+  /// Adds a part; one of more vertices than a polygon may have is halved until it has fewer.
+  void append(const std::vector<std::uint32_t>& part, std::vector<ConvexPolygon>& out) const {
+    if (part.size() <= max_polygon_vertices) {
+      out.emplace_back(vertices(part));
+      return;
+    }
+    const auto middle = part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);
+    append({part.begin(), middle + 1}, out);
+    std::vector<std::uint32_t> rest(middle, part.end());
+    rest.push_back(part.front());
+    append(rest, out);
+  }
+  /// Does a ring turn left at a vertex, clearly more than a ConvexPolygon has to?
+  [[nodiscard]] bool turns_left(std::uint32_t before, std::uint32_t at, std::uint32_t after) const {
+    const Vec2 in = ring_[at] - ring_[before];
+    const Vec2 out = ring_[after] - ring_[at];
+    return cross(in, out) > 1e-8 * extent_ * std::max(in.norm(), out.norm());
+  }
   /// The ring of a part from one of its vertices on.
   [[nodiscard]] static std::vector<std::uint32_t> begun_at(std::vector<std::uint32_t> part,
                                                            std::uint32_t first) {
@@ -192,13 +212,15 @@ class JoinedParts {
     return part;
   }
   void join(const DirectedEdge& diagonal) {
+    const auto [a, b] = diagonal;
     const std::size_t left = left_of_.at(diagonal);
-    const std::size_t right = left_of_.at({diagonal.second, diagonal.first});
-    // Left: b ... a, right: a ... b, each with the diagonal at its end.
-    std::vector<std::uint32_t> joined = begun_at(parts_[left], diagonal.second);
-    const std::vector<std::uint32_t> other = begun_at(parts_[right], diagonal.first);
+    const std::size_t right = left_of_.at({b, a});
+    // From b round to a, and from a round to b: the diagonal closes both.
+    std::vector<std::uint32_t> joined = begun_at(parts_[left], b);
+    const std::vector<std::uint32_t> other = begun_at(parts_[right], a);
+    if (!turns_left(joined[joined.size() - 2], a, other[1])) return;
+    if (!turns_left(other[other.size() - 2], b, joined[1])) return;
     joined.insert(joined.end(), other.begin() + 1, other.end() - 1);
-    if (joined.size() > max_polygon_vertices || !try_convex_polygon(vertices(joined))) return;
     for (std::size_t k = 0; k < other.size(); ++k)
       left_of_[{other[k], other[next_vertex(k, other.size())]}] = left;
     parts_[left] = std::move(joined);
@@ -206,6 +228,7 @@ class JoinedParts {
   }
 
   Ring ring_;
+  double extent_;
   std::vector<std::vector<std::uint32_t>> parts_;
   std::map<DirectedEdge, std::size_t> left_of_;
 };
