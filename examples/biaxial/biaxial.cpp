@@ -7,6 +7,7 @@
 #include "options.hpp"
 #include "result_files.hpp"
 #include "runs.hpp"
+#include "sample_files.hpp"
 
 namespace {
 
@@ -42,6 +43,7 @@ int main(int argc, char** argv) {
     return command_line::wrong_command;
   }
   return command_line::run_program(options.names, [&] {
-    return run_chosen(options) == Outcome::finished ? command_line::finished : command_line::failed;
+    return run_chosen(with_sample_files(options)) == Outcome::finished ? command_line::finished
+                                                                       : command_line::failed;
   });
 }

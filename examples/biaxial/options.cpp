@@ -149,6 +149,12 @@ struct Reader {
     choose_line_fit(table, options);
     check_combination(options);
     adapt_area_spring(table, options);
+    if (!options.grading.empty())
+      table.exclude({"--mean-diameter", "--smallest-diameter", "--largest-diameter"}, "--grading");
+    if (!options.outlines.empty())
+      table.exclude(
+          {"--vertices", "--smallest-axis-ratio", "--largest-axis-ratio", "--angle-jitter"},
+          "--outlines");
     if (options.hoek_brown_angle == "tangent")
       options.hoek_brown.angle = riprap::HoekBrown::Angle::tangent;
     options.names = table.names();

@@ -12,6 +12,8 @@
 // The parameters of the library are where the library has them, with its defaults.
 struct Options {
   riprap::RandomAssembly assembly{};
+  std::string grading{};  // files of the sample; empty: none
+  std::string outlines{};
   riprap::BiaxialTest test{};
   riprap::Rock rock{};
   bool paraview = false;

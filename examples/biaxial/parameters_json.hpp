@@ -98,6 +98,14 @@ inline Json contact_json(const riprap::SpringDashpot& law) {
           {"may_pull", law.may_pull},
           {"friction", law.friction}};
 }
+// The files of the sample where they were given.
+inline Json sample_json(const Options& o) {
+  Json j = assembly_json(o.assembly);
+  if (!o.grading.empty()) j["grading"] = o.grading;
+  if (!o.outlines.empty()) j["outlines"] = o.outlines;
+  return j;
+}
+
 inline Json contact_json(const AnyContact& law) {
   return std::visit([](const auto& l) { return contact_json(l); }, law.chosen);
 }
@@ -128,7 +136,7 @@ Json parameters_json(const Options& o, const Sim& sim) {
   Json contact = contact_json(sim.contacts().law());
   contact["relative_skin"] = sim.model().contact_model.broad_phase.relative_skin;
   Json j = {{"preset", o.preset},
-            {"assembly", assembly_json(o.assembly)},
+            {"assembly", sample_json(o)},
             {"test", test_json(o.test)},
             {"rock",
              {{"density_kg_m3", sim.rock().density},

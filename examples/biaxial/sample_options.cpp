@@ -29,7 +29,8 @@ std::string vertices_text(const riprap::PolygonShape& shape) {
   return std::to_string(shape.fewest_vertices) + "-" + std::to_string(shape.most_vertices);
 }
 
-void add_assembly(OptionTable& table, riprap::RandomAssembly& a) {
+void add_assembly(OptionTable& table, Options& options) {
+  riprap::RandomAssembly& a = options.assembly;
   table.begin_group("Assembly");
   table.add_number("--particles", a.count, "RandomAssembly.count",
                    "particles, those of the boundary included");
@@ -40,6 +41,8 @@ void add_assembly(OptionTable& table, riprap::RandomAssembly& a) {
                    "over the mean; diameters are uniform in between [-]");
   table.add_number("--largest-diameter", a.largest_diameter, "RandomAssembly.largest_diameter",
                    "over the mean [-]");
+  table.add_text("--grading", options.grading,
+                 "sieve curve (CSV: size [m], passing [-]) in place of the diameters");
   table.add_number("--thickness", a.thickness, "RandomAssembly.thickness", "out of plane [m]");
   table.add_text(
       "--vertices", "of a polygon: a count or a range [-]",
@@ -53,6 +56,8 @@ void add_assembly(OptionTable& table, riprap::RandomAssembly& a) {
                    "PolygonShape.largest_axis_ratio", "of that ellipse [-]");
   table.add_number("--angle-jitter", a.shape.angle_jitter, "PolygonShape.angle_jitter",
                    "of the vertices, over the angle between them [-]");
+  table.add_text("--outlines", options.outlines,
+                 "convex outlines (WKT or CSV) in place of random polygons");
   table.add_number("--solid-fraction", a.solid_fraction, "RandomAssembly.solid_fraction",
                    "before compaction [-]");
   table.add_number("--dense-fraction",
@@ -105,7 +110,7 @@ void add_rock(OptionTable& table, riprap::Rock& rock) {
 }  // namespace
 
 void add_sample_and_test(OptionTable& table, Options& options) {
-  add_assembly(table, options.assembly);
+  add_assembly(table, options);
   add_test(table, options);
   add_rock(table, options.rock);
 }

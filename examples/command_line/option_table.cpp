@@ -161,9 +161,10 @@ std::string OptionTable::toml() const {
   for (const Entry& e : entries_) {
     const std::size_t k = chosen(e);
     if (!e.written || k == e.of.size()) continue;
+    const std::string value = e.texts[k]();
+    if (e.quoted && value.empty()) continue;  // a text that was not given
     if (e.group != group) out += "\n# " + e.group + "\n";
     group = e.group;
-    const std::string value = e.texts[k]();
     // Strings of JSON are strings of TOML.
     out += e.name.substr(2) + " = " + (e.quoted ? nlohmann::json(value).dump() : value) + "\n";
   }

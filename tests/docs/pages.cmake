@@ -39,6 +39,7 @@ compare(docs/measurements.md docs/examples/measurements.cpp)
 compare(docs/paths.md docs/examples/paths.cpp)
 compare(docs/reading.md docs/examples/reading.cpp)
 compare(docs/rocks.md docs/examples/rocks.cpp)
+compare(docs/shapes.md docs/examples/shapes.cpp)
 compare(docs/unconfined.md docs/examples/unconfined.cpp)
 compare(README.md examples/compose/compose.cpp)
 

@@ -106,7 +106,7 @@ TEST_CASE("the file of parameters repeats the run, whatever was chosen") {
     CHECK(again.hoek_brown.angle == first.hoek_brown.angle);
     CHECK(again.hobbs.exponent == first.hobbs.exponent);
     // What changes no result is not in it.
-    for (const std::string name : {"\nout", "\nthreads", "\ntimer", "\nconfig"})
+    for (const std::string name : {"\nout =", "\nthreads =", "\ntimer =", "\nconfig ="})
       CHECK(!contains(first.toml, name));
   }
 }
@@ -133,6 +133,22 @@ TEST_CASE("a preset sets options, which are refused beside it and not written") 
   }
   CHECK(refusal({"--preset", "model", "--line-fit", "x"}) == "");
   CHECK(refusal({"--preset", "best"}) != "");
+}
+
+TEST_CASE("files of the sample are in the file of parameters, without what they replace") {
+  const Options o = options_from({"--grading", "sieves.csv", "--outlines", "stones.wkt"});
+  CHECK(o.grading == "sieves.csv");
+  CHECK(contains(o.toml, "\noutlines = \"stones.wkt\"\n"));
+  for (const std::string name : {"mean-diameter", "vertices", "angle-jitter"})
+    CHECK(!contains(o.toml, "\n" + name + " = "));
+  const Options again = read_back(o.toml);
+  CHECK(again.toml == o.toml);
+  CHECK(again.outlines == "stones.wkt");
+  CHECK(!contains(options_from({}).toml, "\ngrading"));
+  CHECK(refusal({"--grading", "s.csv", "--mean-diameter", "0.02"}) ==
+        "--mean-diameter: is set by --grading s.csv and cannot be given with it");
+  CHECK(refusal({"--outlines", "s.csv", "--vertices", "4"}) ==
+        "--vertices: is set by --outlines s.csv and cannot be given with it");
 }
 
 TEST_CASE(

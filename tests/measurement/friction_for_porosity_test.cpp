@@ -9,6 +9,7 @@
 #include <riprap/dynamics/boundary/periodic_cell.hpp>
 #include <riprap/measurement/average_stress.hpp>
 #include <riprap/measurement/porosity.hpp>
+#include <riprap/measurement/sieve_classes.hpp>
 #include <riprap/particle/random_box_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
 #include <support/near.hpp>
@@ -20,6 +21,27 @@ namespace {
 
 // A curve that rises steeply at first, as that of samples does.
 double curve(double friction) { return 0.15 + 0.06 * (1 - std::exp(-6 * friction)); }
+
+/// Porosity of a sample when it jams, compacted with a friction.
+double compacted(const RandomAssembly& options, double friction) {
+  const auto law = with_friction(EnergyConservingSpring{}, friction);
+  Simulation sim{Model{}.criterion(NeverFails{}).boundary(PeriodicCell{}).contact_law(law),
+                 random_periodic_assembly(options), Rock{}};
+  const auto stress = [&] {
+    const double area = sim.boundary().region(sim.particles()).area();
+    return average_stress(sim.contacts(), area, sim.particles().thickness()).mean();
+  };
+  const double rate = 3;
+  for (BodyIndex i = 0; i < sim.particles().size(); ++i)
+    sim.set_velocity(i, -rate * sim.particles().body(i).position);
+  sim.boundary().set_rate(rate, rate);
+  int calm = 0;
+  while (calm < 200) {
+    sim.step();
+    calm = stress() > 3e5 ? calm + 1 : 0;
+  }
+  return porosity(sim.boundary().region(sim.particles()), sim.contacts());
+}
 
 }  // namespace
 
@@ -63,29 +85,33 @@ TEST_CASE("porosities out of reach are refused") {
 }
 
 TEST_CASE("the more friction a sample is compacted with, the looser it jams") {
-  const auto compacted = [](double friction) {
-    const auto law = with_friction(EnergyConservingSpring{}, friction);
-    const Assembly assembly = random_periodic_assembly({.count = 100, .seed = 2});
-    Simulation sim{Model{}.criterion(NeverFails{}).boundary(PeriodicCell{}).contact_law(law),
-                   assembly, Rock{}};
-    const auto stress = [&] {
-      const double area = sim.boundary().region(sim.particles()).area();
-      return average_stress(sim.contacts(), area, sim.particles().thickness()).mean();
-    };
-    const double rate = 3;
-    for (BodyIndex i = 0; i < sim.particles().size(); ++i)
-      sim.set_velocity(i, -rate * sim.particles().body(i).position);
-    sim.boundary().set_rate(rate, rate);
-    int calm = 0;
-    while (calm < 200) {
-      sim.step();
-      calm = stress() > 3e5 ? calm + 1 : 0;
-    }
-    return porosity(sim.boundary().region(sim.particles()), sim.contacts());
-  };
-  const double dense = compacted(0);
-  const double middle = compacted(0.2);
-  const double loose = compacted(1);
+  const RandomAssembly assembly{.count = 100, .seed = 2};
+  const double dense = compacted(assembly, 0);
+  const double middle = compacted(assembly, 0.2);
+  const double loose = compacted(assembly, 1);
   CHECK(dense + 0.005 < middle);
   CHECK(middle + 0.005 < loose);
+}
+
+TEST_CASE("a porosity is met with sizes and shapes of one's own") {
+  const Grading wide = Grading::of_sieves({{0.008, 0}, {0.016, 0.4}, {0.03, 1}});
+  const RandomAssembly assembly{.count = 100,
+                                .seed = 3,
+                                .diameters = sieve_class_diameters(wide, 100),
+                                .prescribed_shape =
+                                    PrescribedShape{.elongation = Distribution::uniform(1.6, 2.2)}};
+  const double dense = compacted(assembly, 0);
+  const double loose = compacted(assembly, 1);
+  CHECK(dense + 0.02 < loose);
+  const double target = 0.5 * (dense + loose);
+  // Porosities of a hundred particles scatter from friction to friction.
+  FrictionForPorosity search(target, 1, 3e-3);
+  search.add(dense);
+  search.add(loose);
+  int samples = 0;
+  for (; !search.found() && samples < 15; ++samples)
+    search.add(compacted(assembly, search.friction()));
+  CHECK(search.found());
+  CHECK(search.friction() > 0.01);
+  CHECK(search.friction() < 0.9);
 }

@@ -3,18 +3,14 @@
 /// @file
 /// Delaunay triangulation of points. Optional: not part of riprap.hpp.
 
-#include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include <riprap/core/linkage.hpp>
 #include <riprap/core/vec2.hpp>
+#include <riprap/geometry/triangle_indices.hpp>
 
 namespace riprap {
-
-/// Three points by their places in a list, counter-clockwise.
-using TriangleIndices = std::array<std::uint32_t, 3>;
 
 /// Triangles of points [m], from the Voronoi diagram of Boost.Polygon, which is exact for integers:
 /// points are rounded to 2^-30 of their extent. Of points on one circle any triangulation will do,

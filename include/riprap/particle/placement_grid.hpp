@@ -31,6 +31,9 @@ struct RandomPolygons {
 /// The mean of the given diameters, or the mean diameter of the options [m].
 [[nodiscard]] double mean_diameter(const RandomAssembly& options);
 
+/// Diameters [m] of all particles: those of the options in random order, or from their range.
+[[nodiscard]] std::vector<double> random_diameters(const RandomAssembly& options, Random& random);
+
 [[nodiscard]] RandomPolygons random_polygons(const RandomAssembly& options, Random& random);
 
 /// Half width and half height of a rectangle [m].
@@ -67,6 +70,18 @@ class PlacementGrid {
   double cell_;
   std::unordered_map<std::uint64_t, std::vector<const ConvexPolygon*>> buckets_;
 };
+
+/// Does a ring lie inside a rectangle about the origin?
+/// @param half of its width and height [m]
+[[nodiscard]] inline bool lies_in_box(Ring ring, const Vec2& half) {
+  return std::all_of(ring.begin(), ring.end(), [&half](const Vec2& v) {
+    return std::abs(v.x()) < half.x() && std::abs(v.y()) < half.y();
+  });
+}
+
+/// Is a polygon clear of all that is placed, in the next copies of a periodic cell, too?
+[[nodiscard]] bool is_clear_of_images(const PlacementGrid& placed, const ConvexPolygon& polygon,
+                                      const Vec2& centre, const Vec2& period);
 
 /// Random places for all polygons, largest first: the small ones find room between the large ones.
 /// Throws InvalidInput where there is no room.

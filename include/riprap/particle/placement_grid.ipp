@@ -41,17 +41,32 @@ RIPRAP_INLINE double mean_diameter(const RandomAssembly& options) {
   return ConvexPolygon(std::move(vertices));
 }
 
+/// The next diameter of the range of the options [m].
+[[nodiscard]] RIPRAP_INLINE double drawn_diameter(const RandomAssembly& options, Random& random) {
+  return options.mean_diameter *
+         random.uniform(options.smallest_diameter, options.largest_diameter);
+}
+
+RIPRAP_INLINE std::vector<double> random_diameters(const RandomAssembly& options, Random& random) {
+  std::vector<double> diameters = shuffled_diameters(options, random);
+  while (diameters.size() < options.count) diameters.push_back(drawn_diameter(options, random));
+  return diameters;
+}
+
+/// The next polygon of the options, of this diameter [m].
+[[nodiscard]] RIPRAP_INLINE ConvexPolygon next_polygon(const RandomAssembly& options, double size,
+                                                       Random& random) {
+  if (!options.outlines.empty()) return random_outline(options.outlines, size, random);
+  if (options.prescribed_shape) return random_polygon(*options.prescribed_shape, size, random);
+  return random_polygon(options.shape, size, random);
+}
+
 RIPRAP_INLINE RandomPolygons random_polygons(const RandomAssembly& options, Random& random) {
   RandomPolygons made;
   const std::vector<double> diameters = shuffled_diameters(options, random);
   for (unsigned i = 0; i < options.count; ++i) {
-    const double size = diameters.empty()
-                            ? options.mean_diameter * random.uniform(options.smallest_diameter,
-                                                                     options.largest_diameter)
-                            : diameters[i];
-    made.polygons.push_back(options.outlines.empty()
-                                ? random_polygon(options.shape, size, random)
-                                : random_outline(options.outlines, size, random));
+    const double size = diameters.empty() ? drawn_diameter(options, random) : diameters[i];
+    made.polygons.push_back(next_polygon(options, size, random));
     made.area += area_properties(made.polygons.back().ring()).area;
     for (const Vec2& v : made.polygons.back()) made.farthest = std::max(made.farthest, v.norm());
   }
@@ -67,6 +82,16 @@ RIPRAP_INLINE bool PlacementGrid::is_clear(Ring ring, const Vec2& at) const {
         SeparatingEdge memory;
         if (!separated(ring, other->ring(), memory)) return false;
       }
+    }
+  return true;
+}
+
+RIPRAP_INLINE bool is_clear_of_images(const PlacementGrid& placed, const ConvexPolygon& polygon,
+                                      const Vec2& centre, const Vec2& period) {
+  for (int i = -1; i <= 1; ++i)
+    for (int j = -1; j <= 1; ++j) {
+      const Vec2 offset{i * period.x(), j * period.y()};
+      if (!placed.is_clear(polygon.moved({}, offset).ring(), centre + offset)) return false;
     }
   return true;
 }

@@ -11,7 +11,14 @@
 #include <riprap/particle/random_placement.hpp>
 
 namespace riprap {
-namespace internal {}  // namespace internal
+
+namespace internal {
+
+/// Platens or walls around a rectangle, twice as long as its sides: right, left, top, bottom.
+/// @param half of its width and height [m]
+[[nodiscard]] Assembly four_platens(const RandomAssembly& options, const Vec2& half);
+
+}  // namespace internal
 
 /// Places polygons at random without overlap in a rectangle about the origin, between four platens
 /// or walls (ids 0 to 3: right, left, top, bottom) that are twice as long as its sides. For

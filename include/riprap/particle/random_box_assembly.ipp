@@ -8,15 +8,11 @@
 
 namespace riprap {
 
-RIPRAP_INLINE Assembly random_platen_assembly(const RandomAssembly& options) {
-  options.validate();
-  Random random(options.seed);
-  internal::RandomPolygons made = internal::random_polygons(options, random);
-  const Vec2 half =
-      internal::half_extents(made.area / options.solid_fraction, options.aspect_ratio);
+namespace internal {
 
+RIPRAP_INLINE Assembly four_platens(const RandomAssembly& options, const Vec2& half) {
   Assembly assembly{.thickness = options.thickness, .particles = {}};
-  const double d = internal::mean_diameter(options);
+  const double d = mean_diameter(options);
   // On the right, for a rectangle that extends by `to_face` along axis 1.
   const auto platen = [d](double to_face, double across) {
     const double end = 2 * across;
@@ -28,13 +24,25 @@ RIPRAP_INLINE Assembly random_platen_assembly(const RandomAssembly& options) {
   for (const double side : {1.0, -1.0})
     assembly.particles.push_back(
         {platen(half.y(), half.x()).moved(Rotation{0, side}, {0, 0}), options.walls});
+  return assembly;
+}
+
+}  // namespace internal
+
+RIPRAP_INLINE Assembly random_platen_assembly(const RandomAssembly& options) {
+  options.validate();
+  Random random(options.seed);
+  internal::RandomPolygons made = internal::random_polygons(options, random);
+  const Vec2 half =
+      internal::half_extents(made.area / options.solid_fraction, options.aspect_ratio);
+
+  Assembly assembly = internal::four_platens(options, half);
   internal::place_at_random(
       made, assembly, [&] { return internal::place_in_box(half, random); },
       [half](const internal::PlacementGrid& placed, const ConvexPolygon& candidate,
              const Vec2& centre) {
-        for (const Vec2& v : candidate)
-          if (std::abs(v.x()) >= half.x() || std::abs(v.y()) >= half.y()) return false;
-        return placed.is_clear(candidate.ring(), centre);
+        return internal::lies_in_box(candidate.ring(), half) &&
+               placed.is_clear(candidate.ring(), centre);
       });
   return assembly;
 }
@@ -52,12 +60,7 @@ RIPRAP_INLINE Assembly random_periodic_assembly(const RandomAssembly& options) {
       made, assembly, [&] { return internal::place_in_box(half, random); },
       [period](const internal::PlacementGrid& placed, const ConvexPolygon& candidate,
                const Vec2& centre) {
-        for (int i = -1; i <= 1; ++i)
-          for (int j = -1; j <= 1; ++j) {
-            const Vec2 offset{i * period.x(), j * period.y()};
-            if (!placed.is_clear(candidate.moved({}, offset).ring(), centre + offset)) return false;
-          }
-        return true;
+        return internal::is_clear_of_images(placed, candidate, centre, period);
       });
   return assembly;
 }

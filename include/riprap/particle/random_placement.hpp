@@ -4,9 +4,11 @@
 /// What all random assemblies have in common: polygons at random places, without overlap.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <riprap/core/linkage.hpp>
+#include <riprap/geometry/prescribed_polygon.hpp>
 #include <riprap/geometry/random_polygon.hpp>
 #include <riprap/particle/assembly.hpp>
 
@@ -43,6 +45,9 @@ struct RandomAssembly {
   double aspect_ratio = 1;
   /// Of the walls of random_platen_assembly: smooth (Motion::platen) or rough (Motion::wall).
   Motion walls = Motion::platen;
+  /// Shapes by distributions of corners, elongation and angularity, in place of `shape`; not with
+  /// `outlines`.
+  std::optional<PrescribedShape> prescribed_shape = std::nullopt;
 
   /// Throws InvalidInput that names the value and the rule.
   void validate() const;

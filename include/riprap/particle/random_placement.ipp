@@ -27,6 +27,10 @@ RIPRAP_INLINE void RandomAssembly::validate() const {
           static_cast<double>(walls), "must be Motion::platen or Motion::wall");
   for (const double d : diameters) require_positive("RandomAssembly.diameters", d);
   shape.validate();
+  if (!prescribed_shape) return;
+  require(outlines.empty(), "RandomAssembly.outlines.size()", static_cast<double>(outlines.size()),
+          "must be 0 where prescribed_shape is given");
+  prescribed_shape->validate();
 }
 
 }  // namespace riprap
