@@ -20,12 +20,14 @@
 #include <riprap/simulation/body_changes.hpp>
 #include <riprap/simulation/body_settings.hpp>
 #include <riprap/simulation/body_step.hpp>
+#include <riprap/simulation/bonding.hpp>
 #include <riprap/simulation/break_event.hpp>
 #include <riprap/simulation/breakage_stage.hpp>
 #include <riprap/simulation/external_loads.hpp>
 #include <riprap/simulation/model.hpp>
 #include <riprap/simulation/observer.hpp>
 #include <riprap/simulation/replace_by_pieces.hpp>
+#include <riprap/simulation/settings.hpp>
 #include <riprap/simulation/setup.hpp>
 #include <riprap/simulation/stress_query.hpp>
 
@@ -39,14 +41,18 @@ namespace riprap {
 /// Moved, not copied: operators are large.
 template <class ModelType>
 class Simulation : public BodyChanges<Simulation<ModelType>>,
+                   public Bonding<Simulation<ModelType>>,
+                   public Settings<Simulation<ModelType>, ModelType>,
                    public StressQueries<Simulation<ModelType>> {
  public:
   using Domain = DomainOf<decltype(ModelType::motion_model.boundary)>;
-  using Contacts = ContactList<decltype(ModelType::contact_model.broad_phase),
-                               decltype(ModelType::contact_model.narrow_phase),
-                               decltype(ModelType::contact_model.law), Domain,
-                               decltype(ModelType::acceleration_model.neighbour_list),
-                               decltype(ModelType::acceleration_model.detection)>;
+  using BondLaw = decltype(ModelType::contact_model.bond_law);
+  using Contacts = ContactList<
+      decltype(ModelType::contact_model.broad_phase),
+      decltype(ModelType::contact_model.narrow_phase), decltype(ModelType::contact_model.law),
+      Domain, decltype(ModelType::acceleration_model.neighbour_list),
+      decltype(ModelType::acceleration_model.detection), PairsWithoutContact<BondLaw, Domain>>;
+  static constexpr bool bonded = makes_bonds<BondLaw>;
   static constexpr bool breakable = !decltype(ModelType::breakage_model)::never_fails;
   /// Whether a step may evaluate finite elements.
   static constexpr bool needs_elements =
@@ -58,12 +64,14 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
         rock_(rock), particles_(assembly.thickness, rock.density),
         contacts_(model_.contact_model.broad_phase, model_.contact_model.narrow_phase,
                   model_.contact_model.law),
-        breakage_(model_) {
+        bonds_(model_.contact_model.bond_law), breakage_(model_) {
     mean_area_ = add_particles(assembly, particles_);
-    choose_time_step();
     if constexpr (requires { boundary().enclose(assembly, particles_); })
       boundary().enclose(assembly, particles_);
     if constexpr (Domain::periodic) contacts_.set_domain(boundary().domain());
+    bonds_.begin(assembly, particles_, contacts_.domain());
+    bonds_.exclude(contacts_);
+    choose_time_step();
     contacts_.update(particles_, 0, model_.execution_policy);
     try {
       contacts_.check_overlaps(particles_);
@@ -94,8 +102,13 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
       contacts_.set_domain(boundary().domain());
     }
     on_phase_end(StepPhase::other);
+    [[maybe_unused]] const std::size_t bonds_broken =
+        bonds_.update(particles_, contacts_, {steps_, time_}, model_.execution_policy);
     contacts_.update(particles_, time_step_, model_.execution_policy, on_phase_end);
     contacts_.check_overlaps(particles_);
+    if constexpr (bonded)
+      for (std::size_t k = bonds_broken; k < bonds_.breaks.size(); ++k)
+        (hooks::on_bond_break(observers, *this, bonds_.breaks[k]), ...);
     (hooks::after_forces(observers, *this), ...);
     on_phase_end(StepPhase::other);
     kick_bodies_again();
@@ -136,35 +149,12 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
   /// Memory held by influence operators [bytes].
   [[nodiscard]] std::size_t operator_bytes() const { return breakage_.operator_bytes(); }
 
-  // What an experiment may change between steps, beside the bodies: see BodyChanges.
+  // What an experiment may change between steps, beside BodyChanges, Bonding and Settings.
 
   [[nodiscard]] auto& boundary() { return motion_.boundary; }
   [[nodiscard]] const auto& boundary() const { return motion_.boundary; }
   [[nodiscard]] auto& contact_law() { return contacts_.law(); }
   [[nodiscard]] auto& damping() { return motion_.damping; }
-  void set_breakage(bool active) { breakage_active_ = active; }
-  [[nodiscard]] bool breakage() const { return breakage_active_; }
-  /// Sets the acceleration of the body force on free bodies [m/s^2], if it is uniform.
-  void set_body_force(const Vec2& acceleration)
-    requires std::same_as<decltype(ModelType::motion_model.body_force), UniformBodyForce>
-  {
-    const UniformBodyForce body_force{acceleration};
-    body_force.validate();
-    motion_.body_force = body_force;
-  }
-  [[nodiscard]] const auto& body_force() const { return motion_.body_force; }
-  /// Replaces the time step [s] that the rule chose; stability is the caller's responsibility.
-  void set_time_step(double seconds) {
-    require_positive("time step", seconds);
-    time_step_ = seconds;
-  }
-
-  /// Memory for influence operators [bytes], with an OperatorCache: results do not depend on it.
-  void set_operator_budget(std::size_t bytes)
-    requires requires(BreakageStage<ModelType>& stage) { stage.operators.set_budget(bytes); }
-  {
-    breakage_.operators.set_budget(bytes);
-  }
 
   /// What a simulation of the same model and rock needs to go on; written, `restored` must follow.
   static void for_each_field(auto& self, auto&& visit) {
@@ -183,14 +173,18 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
     visit("breakage", self.breakage_);
     visit("loads", self.loads_);
     visit("breaks", self.breaks_);
+    if constexpr (bonded) visit("bonds", self.bonds_);
   }
   void restored() {
+    bonds_.restore(particles_, contacts_);
     contacts_.restore(particles_);
     breakage_.restart(model_);
   }
 
  private:
   friend class BodyChanges<Simulation>;
+  friend class Bonding<Simulation>;
+  friend class Settings<Simulation, ModelType>;
   friend class StressQueries<Simulation>;
 
   [[nodiscard]] StressQuery<ModelType, Contacts> stress_query() const {
@@ -198,14 +192,14 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
   }
 
   [[nodiscard]] auto body_step() {
-    return BodyStep(motion_, contacts_.domain(), time_step_, loads_.all());
+    return BodyStep(motion_, contacts_.domain(), time_step_, loads_.all(), bonds_.wrenches());
   }
 
   // Forces of the present poses move the bodies to the next ones.
   void advance_bodies() {
     const auto step = body_step();
     step_bodies([&](std::size_t task, BodyIndex first, BodyIndex last) {
-      contacts_.add_image_work(task, step.first_kick_time(), image_work_[task]);
+      add_image_work(task, first, last, step.first_kick_time());
       step.advance(particles_, first, last, work_);
       contacts_.record_motion(particles_, task, first, last);
     });
@@ -217,10 +211,15 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
     if constexpr (decltype(body_step())::has_second_kick) {
       const auto step = body_step();
       step_bodies([&](std::size_t task, BodyIndex first, BodyIndex last) {
-        contacts_.add_image_work(task, step.second_kick_time(), image_work_[task]);
+        add_image_work(task, first, last, step.second_kick_time());
         step.second_kick(particles_, first, last, work_);
       });
     }
+  }
+
+  void add_image_work(std::size_t task, BodyIndex first, BodyIndex last, double seconds) {
+    contacts_.add_image_work(task, seconds, image_work_[task]);
+    bonds_.add_image_work(first, last, contacts_.domain(), seconds, image_work_[task]);
   }
 
   // Calls `step(task, first, last)` for every task.
@@ -273,7 +272,8 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
 
   void choose_time_step() {
     smallest_mass_ = smallest_intact_mass(particles_, smallest_mass_);
-    const double stiffness = contacts_.law().peak_stiffness();
+    const double stiffness =
+        contacts_.law().peak_stiffness() + bonds_.stiffness(particles_, smallest_mass_);
     time_step_ = model_.motion_model.time_step.time_step(smallest_mass_, stiffness);
   }
 
@@ -283,6 +283,7 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
   Particles particles_;
   Contacts contacts_;
   ExternalLoads loads_;
+  [[no_unique_address]] BondStage<BondLaw, Domain> bonds_;
   [[no_unique_address]] BreakageStage<ModelType> breakage_;
   double smallest_mass_ = 0;
   double mean_area_ = 0;
