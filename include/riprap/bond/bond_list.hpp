@@ -12,6 +12,7 @@
 
 #include <riprap/bond/bond.hpp>
 #include <riprap/bond/bond_law/concepts.hpp>
+#include <riprap/bond/divided_bond.hpp>
 #include <riprap/contact/pair/excluded_pairs.hpp>
 #include <riprap/contact/pair/pair_index.hpp>
 #include <riprap/core/errors.hpp>
@@ -84,6 +85,29 @@ class BondList {
     }
     bonds_.resize(left);
     changed(bodies);
+  }
+
+  /// Hands the bonds of a particle that has broken to its pieces; those of dust are moved to
+  /// `lost`, as they were. Returns whether there were any.
+  bool divide(const DividedBody& broken, const Particles& particles, const Domain& domain,
+              std::vector<BondType>& lost) {
+    divided_.clear();
+    take_out(particles.size(), divided_, [&](const BondType& bond) {
+      return bond.a == broken.parent || bond.b == broken.parent;
+    });
+    for (const BondType& bond : divided_)
+      for (const auto& part : divided(bond, broken, particles)) {
+        if (!part) continue;
+        if (!part->piece) {
+          lost.push_back(part->bond);
+          continue;
+        }
+        bonds_.push_back(part->bond);
+        evaluate(bonds_.back(), particles, domain);
+      }
+    std::stable_sort(bonds_.begin(), bonds_.end(), precedes);
+    changed(particles.size());
+    return !divided_.empty();
   }
 
   /// Body i, whose bonds have been taken out, was removed: those behind it have moved up.
@@ -228,6 +252,7 @@ class BondList {
 
   Law law_;
   std::vector<BondType> bonds_;
+  std::vector<BondType> divided_;  // workspace of `divide`
   PairIndex index_;
   std::vector<Wrench> wrenches_;  // on each body
   std::vector<ExactSum> losses_;  // of the tasks, by damage

@@ -77,7 +77,7 @@ template <class Sim>
   add("motion", [&](BodyIndex i) { return static_cast<int>(particles.body(i).motion); });
   add("velocity", [&](BodyIndex i) { return particles.body(i).velocity; });
   add("spin", [&](BodyIndex i) { return particles.body(i).angular_velocity; });
-  const std::vector<Stress2> stresses = contact_stresses(sim.contacts(), particles);
+  const std::vector<Stress2> stresses = contact_stresses(sim.interactions(), particles);
   add("s11", [&](BodyIndex i) { return stresses[i].s11; });
   add("s22", [&](BodyIndex i) { return stresses[i].s22; });
   add("s12", [&](BodyIndex i) { return stresses[i].s12; });
@@ -95,7 +95,7 @@ template <class Sim>
   }
   if (more.kernel_radius > 0) {
     const std::vector<Stress2> smooth =
-        coarse_grained_stresses(sim.contacts(), particles, LucyKernel{more.kernel_radius});
+        coarse_grained_stresses(sim.interactions(), particles, LucyKernel{more.kernel_radius});
     add("cg_s11", [&](BodyIndex i) { return smooth[i].s11; });
     add("cg_s22", [&](BodyIndex i) { return smooth[i].s22; });
     add("cg_s12", [&](BodyIndex i) { return smooth[i].s12; });

@@ -44,10 +44,9 @@ struct BondStage {
   static constexpr NoBondForces wrenches() { return {}; }
   static void add_image_work(BodyIndex, BodyIndex, const Domain&, double, ExactSum&) {}
   template <class Contacts, Execution E>
-  static std::size_t update(const Particles&, Contacts&, const Moment&, const E&) {
-    return 0;
-  }
+  static void update(const Particles&, Contacts&, const Moment&, const E&) {}
   static void add_body(const Particles&) {}
+  static void divide(const DividedBody&, const Particles&, const Domain&, const Moment&) {}
   static void remove(BodyIndex, const Particles&, auto&) {}
   [[nodiscard]] static const auto& interactions(const auto& contacts, const Particles&) {
     return contacts;
@@ -87,15 +86,12 @@ struct BondStage<Law, Domain> {
 
   /// Tractions at the present poses. Bonds that fail are gone, and the contacts of their pairs, at
   /// the same poses, begin with the next update of the contacts.
-  /// @return the number of bonds that had broken before
   template <class Contacts, Execution E>
-  std::size_t update(const Particles& particles, Contacts& contacts, const Moment& now,
-                     const E& execution) {
-    const std::size_t before = breaks.size();
+  void update(const Particles& particles, Contacts& contacts, const Moment& now,
+              const E& execution) {
     gone_.clear();
     bonds.update(particles, contacts.domain(), gone_, execution);
     if (!gone_.empty()) part(particles, contacts, now);
-    return before;
   }
   /// Breaks the bonds of which `is_broken(bond)` is true.
   template <class Contacts, class IsBroken>
@@ -116,6 +112,25 @@ struct BondStage<Law, Domain> {
     bonds.remove(i, particles.size());
     exclude(contacts);
   }
+  /// Hands the bonds of a particle that has broken to its pieces; those of dust are broken. The
+  /// pairs of the contacts are to be found anew: `exclude`, when all particles have broken.
+  void divide(const DividedBody& broken, const Particles& particles, const Domain& domain,
+              const Moment& now) {
+    gone_.clear();
+    bonds.divide(broken, particles, domain, gone_);
+    for (const BondType& bond : gone_) {
+      const BodyIndex other = bond.a == broken.parent ? bond.b : bond.a;
+      const Body& a = bond.a == broken.parent ? broken.whole : particles.body(bond.a);
+      breaks.push_back({.step = now.step,
+                        .time = now.time,
+                        .particles = {particles.ancestry(other).id, no_particle},
+                        .separates = true,
+                        .ends = bond.ends(a),
+                        .length = bond.length,
+                        .energy = stored_energy(bond, bonds.law(), particles.thickness())});
+      bonds.add_loss(breaks.back().energy);
+    }
+  }
   [[nodiscard]] auto interactions(const auto& contacts, const Particles& particles) const {
     return Interactions{contacts, bonds, particles};
   }
@@ -123,6 +138,7 @@ struct BondStage<Law, Domain> {
   static void for_each_field(auto& self, auto&& visit) {
     visit("bonds", self.bonds);
     visit("breaks", self.breaks);
+    visit("told", self.told);
   }
   /// After the fields have been written, and before the contacts are restored.
   template <class Contacts>
@@ -133,6 +149,7 @@ struct BondStage<Law, Domain> {
 
   Bonds bonds;
   std::vector<BondBreak> breaks;
+  std::size_t told = 0;  ///< of them, to observers
 
  private:
   // Hands the pairs of the bonds in `gone_`, which are in order, over to the contacts.

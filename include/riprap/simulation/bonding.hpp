@@ -7,8 +7,12 @@
 
 #include <riprap/simulation/body_settings.hpp>
 #include <riprap/simulation/bond_stage.hpp>
+#include <riprap/simulation/observer.hpp>
 
 namespace riprap {
+
+template <class Sim>
+class Breaking;
 
 /// Base of a Simulation.
 template <class Sim>
@@ -31,7 +35,8 @@ class Bonding {
   [[nodiscard]] decltype(auto) interactions() const {
     return sim().bonds_.interactions(sim().contacts(), sim().particles());
   }
-  /// Between steps: breaks the bonds of which `is_broken(bond)` is true; their energy is lost.
+  /// Between steps: breaks the bonds of which `is_broken(bond)` is true; their energy is lost. The
+  /// observers of the next step are told.
   template <class IsBroken>
   void break_bonds(IsBroken&& is_broken) {
     sim().bonds_.break_if(sim().particles_, sim().contacts_, {sim().steps_, sim().time_},
@@ -41,9 +46,17 @@ class Bonding {
 
  private:
   friend Sim;
+  friend class Breaking<Sim>;
   Bonding() = default;
   [[nodiscard]] Sim& sim() { return static_cast<Sim&>(*this); }
   [[nodiscard]] const Sim& sim() const { return static_cast<const Sim&>(*this); }
+
+  template <class... Observers>
+  void tell_bond_breaks([[maybe_unused]] Observers&... observers) {
+    if constexpr (Sim::bonded)
+      for (auto& told = sim().bonds_.told; told < bond_breaks().size(); ++told)
+        (hooks::on_bond_break(observers, sim(), bond_breaks()[told]), ...);
+  }
 };
 
 }  // namespace riprap

@@ -23,10 +23,10 @@
 #include <riprap/simulation/bonding.hpp>
 #include <riprap/simulation/break_event.hpp>
 #include <riprap/simulation/breakage_stage.hpp>
+#include <riprap/simulation/breaking.hpp>
 #include <riprap/simulation/external_loads.hpp>
 #include <riprap/simulation/model.hpp>
 #include <riprap/simulation/observer.hpp>
-#include <riprap/simulation/replace_by_pieces.hpp>
 #include <riprap/simulation/settings.hpp>
 #include <riprap/simulation/setup.hpp>
 #include <riprap/simulation/stress_query.hpp>
@@ -42,6 +42,7 @@ namespace riprap {
 template <class ModelType>
 class Simulation : public BodyChanges<Simulation<ModelType>>,
                    public Bonding<Simulation<ModelType>>,
+                   public Breaking<Simulation<ModelType>>,
                    public Settings<Simulation<ModelType>, ModelType>,
                    public StressQueries<Simulation<ModelType>> {
  public:
@@ -70,6 +71,7 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
       boundary().enclose(assembly, particles_);
     if constexpr (Domain::periodic) contacts_.set_domain(boundary().domain());
     bonds_.begin(assembly, particles_, contacts_.domain());
+    if constexpr (bonded && breakable) breakage_.piece_limit.count_cells(particles_);
     bonds_.exclude(contacts_);
     choose_time_step();
     contacts_.update(particles_, 0, model_.execution_policy);
@@ -102,13 +104,10 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
       contacts_.set_domain(boundary().domain());
     }
     on_phase_end(StepPhase::other);
-    [[maybe_unused]] const std::size_t bonds_broken =
-        bonds_.update(particles_, contacts_, {steps_, time_}, model_.execution_policy);
+    bonds_.update(particles_, contacts_, {steps_, time_}, model_.execution_policy);
     contacts_.update(particles_, time_step_, model_.execution_policy, on_phase_end);
     contacts_.check_overlaps(particles_);
-    if constexpr (bonded)
-      for (std::size_t k = bonds_broken; k < bonds_.breaks.size(); ++k)
-        (hooks::on_bond_break(observers, *this, bonds_.breaks[k]), ...);
+    this->tell_bond_breaks(observers...);
     (hooks::after_forces(observers, *this), ...);
     on_phase_end(StepPhase::other);
     kick_bodies_again();
@@ -116,7 +115,7 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
     ++steps_;
     if constexpr (breakable)
       if (breakage_active_ && steps_ % model_.breakage_model.check_every == 0)
-        break_particles(on_phase_end, observers...);
+        this->break_particles(on_phase_end, observers...);
     (hooks::after_step(observers, *this), ...);
   }
 
@@ -136,12 +135,6 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
     return particles_.body(i).contact;
   }
   [[nodiscard]] const std::vector<BreakEvent>& breaks() const { return breaks_; }
-  /// In the hook before_splits: which particles break, still whole, and how; in order of ids.
-  [[nodiscard]] const BreakagePass::Cracks& cracks() const
-    requires breakable
-  {
-    return breakage_.pass.cracks();
-  }
   /// Mean area of the intact particles at the start, platens and prescribed bodies left out [m^2],
   /// and the mass of the smallest free one [kg].
   [[nodiscard]] double mean_area() const { return mean_area_; }
@@ -184,11 +177,14 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
  private:
   friend class BodyChanges<Simulation>;
   friend class Bonding<Simulation>;
+  friend class Breaking<Simulation>;
   friend class Settings<Simulation, ModelType>;
   friend class StressQueries<Simulation>;
 
-  [[nodiscard]] StressQuery<ModelType, Contacts> stress_query() const {
-    return {model_, rock_, particles_, contacts_, breakage_};
+  [[nodiscard]] auto stress_query() const {
+    using Forces = decltype(this->interactions());
+    return StressQuery<ModelType, Forces>{model_, rock_, particles_, this->interactions(),
+                                          breakage_};
   }
 
   [[nodiscard]] auto body_step() {
@@ -233,48 +229,15 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
                   });
   }
 
-  // All cracks are found before the first split, which changes the contacts that load the others.
-  template <class OnPhaseEnd, class... Observers>
-  void break_particles(OnPhaseEnd&& on_phase_end, Observers&... observers) {
-    const BreakagePass::Cracks& cracks =
-        breakage_.find_cracks(model_, rock_, mean_area_, particles_, contacts_, on_phase_end);
-    if (cracks.empty()) return;
-    const std::size_t first = breaks_.size();
-    (hooks::before_splits(observers, *this), ...);
-    for (const auto& [i, crack] : cracks) split(i, crack);
-    contacts_.update_pieces(particles_);
-    (hooks::after_splits(observers, *this), ...);
-    for (std::size_t k = first; k < breaks_.size(); ++k)
-      (hooks::on_break(observers, *this, breaks_[k]), ...);
-    on_phase_end(StepPhase::splitting);
-  }
-
-  void split(BodyIndex i, const Crack& crack) {
-    BreakEvent event{.step = steps_,
-                     .time = time_,
-                     .particle = particles_.ancestry(i),
-                     .failures = crack.failures,
-                     .mode = crack.mode,
-                     .line = crack.line,
-                     .crack_length = crack.length};
-    const Body whole = particles_.body(i);
-    const BodyIndex second = replace_by_pieces(model_, smallest_mass_, crack, i, particles_, event);
-    const auto on_right = [&](const Vec2& x) { return crack.line.left_distance(x) < 0; };
-    const auto on_dust = [&](const Vec2& x) { return crack.is_dust[on_right(x) ? 1 : 0]; };
-    if (crack.leaves_dust())
-      contacts_.cut_off(particles_, whole, i, on_dust);
-    else
-      contacts_.divide(particles_, whole, i, second, on_right);
-    breakage_.forget(i);
-    loads_.forget(i);
-    breaks_.push_back(event);
-  }
-
   void choose_time_step() {
     smallest_mass_ = smallest_intact_mass(particles_, smallest_mass_);
+    time_step_ = stable_time_step();
+  }
+  // By the rule, for the smallest intact mass.
+  [[nodiscard]] double stable_time_step() const {
     const double stiffness =
         contacts_.law().peak_stiffness() + bonds_.stiffness(particles_, smallest_mass_);
-    time_step_ = model_.motion_model.time_step.time_step(smallest_mass_, stiffness);
+    return model_.motion_model.time_step.time_step(smallest_mass_, stiffness);
   }
 
   ModelType model_;                           // as it was given
