@@ -157,6 +157,8 @@ TEST_CASE("a bar breaks at its strength, once, and both parts are told") {
   CHECK(2e-4 * sim.time() == near_relative(at_strength, 2e-3));
   CHECK(event.failure == BondFailure::tension);
   CHECK(event.separates);
+  CHECK(std::abs(event.place.x() / side - std::floor(event.place.x() / side) - 0.5) <= 1e-3);
+  CHECK((event.ends[1] - event.ends[0]).norm() == near_relative(side, 1e-12));
   CHECK(event.length == near_relative(side, 1e-12));
   CHECK(event.energy == near_relative(0.5 * 1e12 / k_n * area, 4e-3));
   CHECK(event.particles[1] == event.particles[0] + 1);

@@ -65,9 +65,11 @@ struct Bond {
   /// Ends of the edge half-way between its two copies, at a [m].
   /// @param body_a body a
   [[nodiscard]] std::array<Vec2, 2> ends(const Body& body_a) const {
-    const Vec2 middle = body_a.position + 0.5 * (arms_a[0] + arms_a[1]);
     const Vec2 half = 0.5 * std::numbers::sqrt3 * (arms_a[1] - arms_a[0]);
-    return {middle - half, middle + half};
+    return {middle(body_a) - half, middle(body_a) + half};
+  }
+  [[nodiscard]] Vec2 middle(const Body& body_a) const {
+    return body_a.position + 0.5 * (arms_a[0] + arms_a[1]);
   }
 
   /// But for what follows from the poses of the bodies.

@@ -124,8 +124,9 @@ struct BondStage<Law, Domain> {
       breaks.push_back({.step = now.step,
                         .time = now.time,
                         .particles = {particles.ancestry(other).id, no_particle},
+                        .place = bond.middle(a),
                         .separates = true,
-                        .ends = bond.ends(a),
+                        .ends = bond.a == other ? bond.on_a.ends : bond.on_b.ends,
                         .length = bond.length,
                         .energy = stored_energy(bond, bonds.law(), particles.thickness())});
       bonds.add_loss(breaks.back().energy);
@@ -167,7 +168,8 @@ struct BondStage<Law, Domain> {
                         .time = now.time,
                         .particles = {particles.ancestry(bond.a).id, particles.ancestry(bond.b).id},
                         .failure = bond.failure,
-                        .ends = bond.ends(particles.body(bond.a)),
+                        .place = bond.middle(particles.body(bond.a)),
+                        .ends = bond.on_a.ends,
                         .length = bond.length,
                         .energy = stored_energy(bond, bonds.law(), thickness)});
     }
