@@ -193,9 +193,11 @@ struct BondStage<Law, Domain> {
       const auto& [opening, sliding] = bond.view.points[g];
       const auto& state = bond.view.states[g];
       left.normal_force += area * std::max(0.0, bond.tractions[g].normal);
-      left.normal_energy += area * bonds.law().stored_energy({std::min(opening, 0.0), 0}, state);
+      left.normal_energy +=
+          area * bonds.law().stored_energy(BondDisplacement{std::min(opening, 0.0), 0}, state);
       left.tangential_force += area * bond.tractions[g].tangential;
-      left.tangential_energy += area * bonds.law().stored_energy({0, sliding}, state);
+      left.tangential_energy +=
+          area * bonds.law().stored_energy(BondDisplacement{0, sliding}, state);
     }
   }
 

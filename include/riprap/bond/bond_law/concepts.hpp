@@ -31,9 +31,9 @@ enum class BondFailure : unsigned char { none, tension, shear };
 /// linear along the edge: those at its ends are the extremes.
 template <class State>
 struct BondView {
-  std::array<BondDisplacement, 2> ends{};    ///< at the ends of the edge
-  std::array<BondDisplacement, 2> points{};  ///< at the two integration points
-  std::array<State, 2> states{};             ///< of the two integration points
+  std::array<BondDisplacement, 2> ends{};         ///< at the ends of the edge
+  std::array<BondDisplacement, 2> points{};       ///< at the two integration points
+  std::array<State, 2> states{State{}, State{}};  ///< of the two integration points
 };
 
 namespace requirements {
