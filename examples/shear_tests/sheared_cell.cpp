@@ -74,7 +74,7 @@ struct Sums {
 
   void add(const auto& sim) {
     const double area = sim.boundary().region(sim.particles()).area();
-    stress += average_stress(sim.contacts(), area, sim.particles().thickness());
+    stress += average_stress(sim.interactions(), area, sim.particles().thickness());
     asymmetry += moment_sum(sim.contacts()) / (area * sim.particles().thickness());
     ++count;
   }

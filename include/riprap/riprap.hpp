@@ -4,6 +4,8 @@
 /// What a simulation needs: all policies but the optional ones, Model, Simulation, the biaxial test
 /// and its records. Needs the headers of Eigen and Boost only.
 
+#include <riprap/bond/bond_law/brittle_bond.hpp>
+#include <riprap/bond/bond_law/softening_bond.hpp>
 #include <riprap/breakage/criterion/criterion_of_rock.hpp>
 #include <riprap/breakage/criterion/franklin.hpp>
 #include <riprap/breakage/criterion/griffith.hpp>
@@ -63,6 +65,7 @@
 #include <riprap/measurement/breakage_indices.hpp>
 #include <riprap/output/csv.hpp>
 #include <riprap/output/progress.hpp>
+#include <riprap/particle/bond_common_edges.hpp>
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/particle/random_box_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // riprap: an observer of a step must have one of the hooks on_phase_end, before_forces,
-// after_forces, before_splits, on_break, after_splits, after_step (docs/policies/observer.md)
+// after_forces, before_splits, on_break, on_bond_break, after_splits, after_step
+// (docs/policies/observer.md)
 #include <riprap/simulation/simulation.hpp>
 using namespace riprap;
 

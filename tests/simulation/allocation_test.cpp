@@ -6,11 +6,15 @@
 #include <cstdlib>
 #include <new>
 
+#include <riprap/bond/bond_law/softening_bond.hpp>
 #include <riprap/breakage/line_fit/mean_stress_line.hpp>
 #include <riprap/breakage/trigger/tsoungui_strength.hpp>
 #include <riprap/breakage/trigger/with_weibull_strength.hpp>
+#include <riprap/dynamics/boundary/no_boundary.hpp>
+#include <riprap/particle/bond_common_edges.hpp>
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
+#include <support/rectangle.hpp>
 
 namespace {
 
@@ -85,6 +89,23 @@ TEST_CASE("a thousand warm checks by the contact loads allocate nothing") {
   const std::size_t before = allocations;
   for (int k = 0; k < 1000; ++k) sim.step();
   CHECK(allocations == before);
+}
+
+TEST_CASE("a thousand warm steps of bonded particles allocate nothing") {
+  Assembly assembly{.thickness = 0.016, .particles = {}};
+  for (int i = 0; i < 20; ++i)
+    for (int j = 0; j < 15; ++j)
+      assembly.particles.push_back({test::rectangle({0.01 * i, 0.01 * j}, 0.01, 0.01),
+                                    Motion::free,
+                                    {0.1 * (i % 3), 0.1 * (j % 2)}});
+  bond_common_edges(assembly);
+  Simulation sim{Model{}.boundary(NoBoundary{}).bond_law(SofteningBond{}).criterion(NeverFails{}),
+                 assembly, Rock{}};
+  for (int k = 0; k < 1000; ++k) sim.step();
+  const std::size_t before = allocations;
+  for (int k = 0; k < 1000; ++k) sim.step();
+  CHECK(allocations == before);
+  CHECK(sim.bonds().stored_energy(0.016) > 0);
 }
 
 TEST_CASE("a split costs less than twenty allocations, an operator less than a thousand") {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <doctest/doctest.h>
 
+#include <riprap/bond/bond_law/brittle_bond.hpp>
+#include <riprap/particle/bond_common_edges.hpp>
 #include <riprap/simulation/simulation.hpp>
 #include <support/archetypes.hpp>
 
@@ -99,4 +101,22 @@ TEST_CASE("an archetype works with shipped models in all other roles") {
   CHECK(crushed(shipped.line_fit(archetype::LineFit{0})) == expected);
   CHECK(crushed(shipped.splitter(archetype::Splitter{0})) == expected);
   CHECK(crushed(shipped.inheritance(archetype::Inheritance{0})) == expected);
+}
+
+TEST_CASE("a simulation with an archetype of a bond law is that of the law behind it") {
+  const ConvexPolygon square{{0, 0}, {0.016, 0}, {0.016, 0.016}, {0, 0.016}};
+  Assembly row{.particles = {}};
+  for (int i = 0; i < 4; ++i)
+    row.particles.push_back(
+        {square.moved({}, {0.016 * i, 0}), Motion::free, {2.0 * i, 0.5 * (i % 2)}});
+  bond_common_edges(row);
+  const auto run = [&](const auto& law) {
+    Simulation sim{shipped.bond_law(law), row, Rock{}};
+    for (int i = 0; i < 200; ++i) sim.step();
+    CHECK(!sim.bond_breaks().empty());
+    std::vector<double> numbers{sim.bonds().loss(), sim.bonds().stored_energy(0.016)};
+    for (const Body& body : sim.particles().bodies()) numbers.push_back(body.position.x());
+    return numbers;
+  };
+  CHECK(run(archetype::BondLaw{0}) == run(BrittleBond{}));
 }

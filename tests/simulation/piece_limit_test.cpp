@@ -29,6 +29,26 @@ TEST_CASE("a particle may break until its root has as many pieces as the splitte
   for (int i = 0; i < 1000; ++i) CHECK_NOTHROW(limit.add_break(unlimited, root));
 }
 
+TEST_CASE("a cluster may have as many pieces for each of its cells") {
+  const StraightCut splitter{.maximum_pieces = 3};
+  Particles particles(1, 1);
+  for (int i = 0; i < 3; ++i)
+    particles.set_root(particles.add(ConvexPolygon{{0, 0}, {1, 0}, {0, 1}}, Motion::free), i / 2);
+  PieceLimit limit;
+  limit.count_cells(particles);
+  const auto break_often = [&](ParticleId root) {
+    const Ancestry cell{.id = root, .root = root};
+    int breaks = 0;
+    try {
+      for (; breaks < 100; ++breaks) limit.add_break(splitter, cell);
+    } catch (const SimulationError&) {
+    }
+    return breaks;
+  };
+  CHECK(break_often(0) == 2 * 3 - 2);  // two cells become six pieces
+  CHECK(break_often(1) == 3 - 1);
+}
+
 TEST_CASE("breaking without end is an error, and the state is that before the last break") {
   constexpr StraightCut endless{.minimum_area = 0, .maximum_aspect = 1e9, .maximum_pieces = 5};
   Simulation sim{Model{}.boundary(NoBoundary{}).splitter(endless).trigger(AnyElement{}),

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSL-1.0
 # Includes run downwards only: a header may include its own layer and those before it in this list.
 # Outside the layers there is riprap.hpp alone, for users: none of them includes it.
-set(layers core material geometry particle contact dynamics stress breakage acceleration measurement
+set(layers core material geometry particle contact bond dynamics stress breakage acceleration measurement
            simulation experiment output checkpoint conformance)
 
 get_filename_component(include ${CMAKE_CURRENT_LIST_DIR}/../../include ABSOLUTE)

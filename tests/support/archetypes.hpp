@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include <riprap/bond/bond_law/brittle_bond.hpp>
 #include <riprap/contact/broad_phase/all_pairs.hpp>
 #include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
@@ -95,6 +96,21 @@ struct ContactLaw : Copyable {
     return Gives(LinearSpringCoulomb{}.stored_energy(geometry.get(), history.get().value));
   }
   Gives<double> peak_stiffness() const { return Gives(LinearSpringCoulomb{}.peak_stiffness()); }
+};
+
+struct BondLaw : Copyable {
+  using Copyable::Copyable;
+  using State = test::archetype::State<BrittleBond::State>;
+  Gives<BondTraction> operator()(Takes<BondDisplacement> displacement, State& state) const {
+    return Gives(BrittleBond{}(displacement.get(), state.value));
+  }
+  Gives<double> stored_energy(Takes<BondDisplacement> displacement, Takes<State> state) const {
+    return Gives(BrittleBond{}.stored_energy(displacement.get(), state.get().value));
+  }
+  Gives<BondFailure> failure(Takes<BondView<State>> bond) const {
+    return Gives(BrittleBond{}.failure({bond.get().ends, bond.get().points, {}}));
+  }
+  Gives<double> peak_stiffness() const { return Gives(BrittleBond{}.peak_stiffness()); }
 };
 
 struct Integrator : Copyable {

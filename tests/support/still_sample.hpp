@@ -84,6 +84,7 @@ class StillSample {
 
   [[nodiscard]] const Particles& particles() const { return particles_; }
   [[nodiscard]] const Contacts& contacts() const { return contacts_; }
+  [[nodiscard]] const Contacts& interactions() const { return contacts_; }
   [[nodiscard]] const StrainField& boundary() const { return boundary_; }
   [[nodiscard]] const std::vector<BreakEvent>& breaks() const { return breaks_; }
   [[nodiscard]] const Work& work() const { return work_; }

@@ -15,13 +15,16 @@
 #include <riprap/contact/concepts.hpp>
 #include <riprap/contact/contact_forces.hpp>
 #include <riprap/contact/detection/evaluate_each_pair.hpp>
+#include <riprap/contact/former_bonds.hpp>
 #include <riprap/contact/narrow_phase/concepts.hpp>
 #include <riprap/contact/neighbour_list/rebuild_every_step.hpp>
 #include <riprap/contact/neighbours.hpp>
 #include <riprap/contact/overlap_limit.hpp>
 #include <riprap/contact/pair/contact.hpp>
+#include <riprap/contact/pair/excluded_pairs.hpp>
 #include <riprap/contact/pair/task_partition.hpp>
 #include <riprap/contact/piece_contacts.hpp>
+#include <riprap/contact/touching_pairs.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/core/exact_sum.hpp>
 #include <riprap/core/step_phase.hpp>
@@ -30,10 +33,15 @@
 namespace riprap {
 
 /// All pairs of neighbours, their contacts and forces. A history lasts as long as its contact.
+/// @tparam Excluded pairs that have no contact
 template <BroadPhase Broad, NarrowPhase Narrow, ContactLaw Law, class Domain = UnboundedDomain,
-          NeighbourList List = RebuildEveryStep, Detection Detect = EvaluateEachPair>
-class ContactList {
+          NeighbourList List = RebuildEveryStep, Detection Detect = EvaluateEachPair,
+          class Excluded = NoExcludedPairs>
+class ContactList
+    : public TouchingPairs<ContactList<Broad, Narrow, Law, Domain, List, Detect, Excluded>> {
  public:
+  using TouchingPairs<ContactList>::tasks;
+
   using Image = typename Domain::Image;
   using ContactType = Contact<typename Law::History, typename Narrow::Cache, Image>;
 
@@ -59,29 +67,6 @@ class ContactList {
 
   /// The pairs of each body.
   [[nodiscard]] const PairIndex& index() const { return table().index(); }
-
-  /// Calls `visit(contact)` for every pair that touches, in the order (a, b, image).
-  template <class Visit>
-  void for_each_touching(Visit&& visit) const {
-    for (std::size_t task = 0; task < tasks(); ++task) for_each_touching_in(task, visit);
-  }
-  /// Number of tasks, and the touching pairs whose first body is of one of them, in order.
-  [[nodiscard]] std::size_t tasks() const { return table().tasks().size(); }
-  template <class Visit>
-  void for_each_touching_in(std::size_t task, Visit&& visit) const {
-    for (const std::uint32_t k : table().tasks()[task].touching) visit(pairs()[k]);
-  }
-
-  /// Calls `visit(contact, index)` once for every touching pair with a body of a task of
-  /// `for_each_task`, in the order of the pairs, so that tasks can gather by body in parallel.
-  template <class Visit>
-  void for_each_touching_of(std::size_t task, Visit&& visit) const {
-    if (task >= tasks()) return;
-    const ContactTask& of = table().tasks()[task];
-    for (const std::uint32_t k : of.shared_pairs)
-      if (pairs()[k].touching) visit(pairs()[k], k);
-    for (const std::uint32_t k : of.touching) visit(pairs()[k], k);
-  }
 
   /// Velocity of b's image relative to a at their contact [m/s].
   [[nodiscard]] Vec2 relative_velocity(const ContactType& contact,
@@ -163,6 +148,22 @@ class ContactList {
     neighbours_.invalidate();
     detection_.forget_all();
   }
+  /// The same, with other pairs left out.
+  void exclude(Excluded pairs) {
+    neighbours_.exclude(std::move(pairs));
+    invalidate();
+  }
+  /// Of pairs left out until now: the next update, at the same poses, starts their contacts with
+  /// what bonds leave. `store(n, energy)` is called with what that of pair n stores [J].
+  template <class Store>
+  void begin_contacts(const Particles& particles, std::span<const FormerPair<Image>> former,
+                      Store&& store) {
+    if (neighbours_.is_stale(particles, domain_, Serial{})) search(particles);
+    for (std::size_t n = 0; n < former.size(); ++n)
+      if (ContactType* const pair =
+              table().list().find({.a = former[n].a, .b = former[n].b, .image = former[n].image}))
+        store(n, begin_contact(*pair, former[n].bond, particles, narrow_, law_, domain_));
+  }
 
   /// After body i was removed, and those behind it have moved up: the next update, which must come
   /// at once, finds the other contacts with their histories.
@@ -242,7 +243,8 @@ class ContactList {
   }
 
  private:
-  using AllNeighbours = Neighbours<ContactType, Broad, Domain, List>;
+  friend TouchingPairs<ContactList>;
+  using AllNeighbours = Neighbours<ContactType, Broad, Domain, List, Excluded>;
 
   [[nodiscard]] const PairTable<ContactType>& table() const { return neighbours_.table(); }
   [[nodiscard]] PairTable<ContactType>& table() { return neighbours_.table(); }

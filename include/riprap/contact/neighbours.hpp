@@ -9,6 +9,7 @@
 
 #include <riprap/contact/broad_phase/pair_search.hpp>
 #include <riprap/contact/neighbour_list/concepts.hpp>
+#include <riprap/contact/pair/excluded_pairs.hpp>
 #include <riprap/contact/pair/pair_table.hpp>
 #include <riprap/core/execution/concepts.hpp>
 #include <riprap/particle/particles.hpp>
@@ -16,7 +17,9 @@
 namespace riprap {
 
 /// A table of pairs, the search that fills it, and the neighbour list that says when.
-template <class ContactType, BroadPhase Broad, class Domain, NeighbourList List>
+/// @tparam Excluded pairs that the search leaves out
+template <class ContactType, BroadPhase Broad, class Domain, NeighbourList List,
+          class Excluded = NoExcludedPairs>
 class Neighbours {
  public:
   using State = typename List::template State<Domain>;
@@ -37,15 +40,22 @@ class Neighbours {
   void search(const Particles& particles, const Domain& domain) {
     PairList<ContactType>& list = table_.list();
     list.begin();
-    const PairExtent extent = search_.visit_pairs(
-        particles, domain, List::uses_skin,
-        [&](BodyIndex a, BodyIndex b, const auto& image) { list.add(a, b, image); });
+    const PairExtent extent = search_.visit_pairs(particles, domain, List::uses_skin,
+                                                  [&](BodyIndex a, BodyIndex b, const auto& image) {
+                                                    if (!excluded_.contains(a, b, image))
+                                                      list.add(a, b, image);
+                                                  });
     list.finish();
     state_.rebuilt(particles, domain, extent);
     table_.arrange(particles);
     is_complete_ = true;
   }
 
+  /// Leaves pairs out from the next search on, which must come before the next use.
+  void exclude(Excluded pairs) {
+    excluded_ = std::move(pairs);
+    invalidate();
+  }
   /// Makes the next `is_stale` true.
   void invalidate() {
     is_complete_ = false;
@@ -80,6 +90,7 @@ class Neighbours {
  private:
   PairSearch<Broad, Domain> search_;
   [[no_unique_address]] State state_;
+  [[no_unique_address]] Excluded excluded_;
   PairTable<ContactType> table_;
   bool is_complete_ = false;
 };

@@ -158,9 +158,9 @@ class Curve {
     p.axial_strain = view.axial_strain();
     p.volumetric_strain = view.volumetric_strain();
     p.porosity = porosity(region, contacts);
-    p.stress = average_stress(contacts, view.area, particles.thickness());
+    p.stress = average_stress(view.sim.interactions(), view.area, particles.thickness());
     p.inner_stress = average_stress_within(
-        contacts, Ellipse{inner_share * Vec2(region.semi_axes()), centre_of(region)},
+        view.sim.interactions(), Ellipse{inner_share * Vec2(region.semi_axes()), centre_of(region)},
         particles.thickness());
     p.coordination = coordination(contacts, particles);
     p.particles = particles.size();
@@ -168,7 +168,7 @@ class Curve {
     p.fabric = fabric(contact_samples(contacts));
     p.inertial_number = inertial_number(view.strain_rate(), view.mean_diameter,
                                         particles.mean_density(), p.stress.mean());
-    p.state = state_averages(contacts, particles, view.sim.body_force());
+    p.state = state_averages(view.sim);
     p.overlap_ratio = p.state.mean_overlap / view.mean_diameter;
     p.lost_particles = region.lost();
     p.energy = ledger_.terms(view.sim);

@@ -30,8 +30,7 @@ struct Jammed {
   template <class View>
   [[nodiscard]] bool reached(const View& view) const {
     return view.at_check && view.stress().mean() >= pressure &&
-           kinetic_energy(view.sim.particles()) <=
-               kinetic_ratio * stored_energy(view.sim.contacts());
+           kinetic_energy(view.sim.particles()) <= kinetic_ratio * stored_energy_of(view.sim);
   }
   template <class View>
   [[nodiscard]] double done(const View& view) const {
@@ -80,8 +79,7 @@ struct RestReached {
 
   template <class View>
   [[nodiscard]] static double unbalanced_force_of(const View& view) {
-    return state_averages(view.sim.contacts(), view.sim.particles(), view.sim.body_force())
-        .unbalanced_force;
+    return state_averages(view.sim).unbalanced_force;
   }
 };
 

@@ -113,7 +113,7 @@ struct LoadingView {
  private:
   [[nodiscard, gnu::noinline]] Stress2 measured_stress() const {
     try {
-      return average_stress(sim.contacts(), area, sim.particles().thickness(),
+      return average_stress(sim.interactions(), area, sim.particles().thickness(),
                             sim.model().execution_policy);
     } catch (const InvalidInput& error) {
       throw SimulationError(error.what());

@@ -15,7 +15,7 @@ namespace riprap::internal {
 /// Throws SimulationError if energies are not finite or the sample has dispersed.
 template <class Sim>
 void check_sample(const Sim& sim) {
-  const double energy = kinetic_energy(sim.particles()) + stored_energy(sim.contacts());
+  const double energy = kinetic_energy(sim.particles()) + stored_energy_of(sim);
   if (!std::isfinite(energy))
     throw SimulationError("kinetic and stored energy are no longer finite");
   const auto sample = sim.boundary().region(sim.particles());

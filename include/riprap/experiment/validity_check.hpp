@@ -66,7 +66,7 @@ class ValidityCheck {
     const Particles& particles = view.sim.particles();
     const auto& contacts = view.sim.contacts();
     const auto region = view.sim.boundary().region(particles);
-    const StateAverages state = state_averages(contacts, particles, view.sim.body_force());
+    const StateAverages state = state_averages(view.sim);
     check(view, inertia_,
           inertial_number(view.strain_rate(), view.mean_diameter, particles.mean_density(),
                           stress(view).mean()));
@@ -104,7 +104,7 @@ class ValidityCheck {
  private:
   template <class Sim>
   [[nodiscard]] static Stress2 stress(const BiaxialView<Sim>& view) {
-    return average_stress(view.sim.contacts(), view.area, view.sim.particles().thickness());
+    return average_stress(view.sim.interactions(), view.area, view.sim.particles().thickness());
   }
 
   template <class Sim>

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 
 #include <riprap/core/exact_sum.hpp>
 #include <riprap/core/linkage.hpp>
@@ -39,7 +40,7 @@ struct StateAverages {
   double mean_overlap = 0;       ///< mean depth [m]
   double largest_overlap = 0;    ///< [m]
   double kinetic_energy = 0;     ///< of free bodies [J]
-  double stored_energy = 0;      ///< in the contacts [J]
+  double stored_energy = 0;      ///< in contacts and bonds [J]
 
   [[nodiscard]] double kinetic_ratio() const {
     return stored_energy > 0 ? kinetic_energy / stored_energy : 0;
@@ -57,9 +58,11 @@ struct StateAverages {
 };
 
 /// @param body_force part of the resultant on a free body
+/// @param bonds sum of the bond forces on each body; empty without bonds
 template <class Contacts, BodyForce F = NoBodyForce>
 [[nodiscard]] StateAverages state_averages(const Contacts& contacts, const Particles& particles,
-                                           const F& body_force = {}) {
+                                           const F& body_force = {},
+                                           std::span<const Wrench> bonds = {}) {
   StateAverages n;
   ContactSum<3> sums;
   contacts.for_each_touching([&](const auto& c) {
@@ -70,10 +73,13 @@ template <class Contacts, BodyForce F = NoBodyForce>
   const auto [normal, force, depth] = sums.values();
   std::size_t free = 0;
   ExactSum resultant;
-  for (const Body& body : particles.bodies()) {
+  for (BodyIndex i = 0; i < particles.size(); ++i) {
+    const Body& body = particles.body(i);
     if (!body.is_free()) continue;
     ++free;
-    resultant.add((body.contact.force + body.mass * body_force(body)).norm());
+    Vec2 sum = body.contact.force + body.mass * body_force(body);
+    if (!bonds.empty()) sum += bonds[i].force;
+    resultant.add(sum.norm());
   }
   n.mean_normal_force = normal;
   n.mean_overlap = depth;
@@ -86,6 +92,19 @@ template <class Contacts, BodyForce F = NoBodyForce>
   n.unbalanced_force =
       force > 0 ? resultant.value() / static_cast<double>(free) / (force / count) : 0;
   return n;
+}
+/// Of a simulation; bonds belong to the resultants and to the stored energy.
+template <class Sim>
+  requires requires(const Sim& sim) { sim.body_force(); }
+[[nodiscard]] StateAverages state_averages(const Sim& sim) {
+  if constexpr (has_bonds<Sim>) {
+    StateAverages n =
+        state_averages(sim.contacts(), sim.particles(), sim.body_force(), sim.bonds().wrenches());
+    n.stored_energy = stored_energy_of(sim);
+    return n;
+  } else {
+    return state_averages(sim.contacts(), sim.particles(), sim.body_force());
+  }
 }
 
 }  // namespace riprap

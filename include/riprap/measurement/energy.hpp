@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Kinetic energy of the bodies and energy stored in the contacts.
+/// Kinetic energy of the bodies, and energy stored in contacts and bonds.
 
 #include <array>
 
@@ -25,6 +25,27 @@ template <class Contacts>
   return sum_over_contacts<1>(contacts, [&](const auto& c) {
     return std::array{contacts.law().stored_energy(c.geometry, c.history)};
   })[0];
+}
+
+/// Whether the model of a simulation has a bond law.
+template <class Sim>
+inline constexpr bool has_bonds = requires { requires Sim::bonded; };
+
+/// What contacts and bonds can give back [J].
+template <class Sim>
+[[nodiscard]] double stored_energy_of(const Sim& sim) {
+  double energy = stored_energy(sim.contacts());
+  if constexpr (has_bonds<Sim>) energy += sim.bonds().stored_energy(sim.particles().thickness());
+  return energy;
+}
+
+/// Energy lost in bonds since the start, by damage and when they broke [J].
+template <class Sim>
+[[nodiscard]] double bond_loss(const Sim& sim) {
+  if constexpr (has_bonds<Sim>)
+    return sim.bonds().loss();
+  else
+    return 0;
 }
 
 }  // namespace riprap

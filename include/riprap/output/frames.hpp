@@ -123,7 +123,7 @@ class FrameWriter {
     Record record = frame_record(view.sim);
     record.add("stage", static_cast<std::uint32_t>(view.stage));
     record.add("strains", std::vector<double>{view.axial_strain(), view.volumetric_strain()});
-    const Stress2 stress = average_stress(view.sim.contacts(), view.area, thickness);
+    const Stress2 stress = average_stress(view.sim.interactions(), view.area, thickness);
     record.add("stress", std::vector<double>{stress.s11, stress.s22, stress.s12});
     append(record);
     ++frames_;

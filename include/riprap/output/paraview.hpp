@@ -16,9 +16,11 @@
 #include <riprap/geometry/polygon_properties.hpp>
 #include <riprap/measurement/coarse_grained_stress.hpp>
 #include <riprap/measurement/contact_stress.hpp>
+#include <riprap/measurement/fragments.hpp>
 #include <riprap/measurement/local_strain.hpp>
 #include <riprap/measurement/material_points.hpp>
 #include <riprap/measurement/rattlers.hpp>
+#include <riprap/output/bonds_vtp.hpp>
 #include <riprap/output/vtp.hpp>
 
 namespace riprap {
@@ -54,10 +56,11 @@ gradients_since(const std::vector<MaterialPoint>& reference, const Particles& pa
 /// Particles as polygons. Arrays: `id`, `parent` (-1: none), `root`, `generation`; `material`,
 /// the place in the list of rocks; `motion`, the place in enum Motion (0: free); `velocity` [m/s]
 /// and `spin` [rad/s]; `s11`, `s22`, `s12`, the mean stress of the particle [Pa], compression
-/// positive; `rattler` (0 or 1); where particles can break, `rat`. On request `volumetric_strain`
-/// (contraction positive), `deviatoric_strain` [-] and `rotation` [rad] of the material around the
-/// intact particle it comes from, since the reference (zero where that is unknown); `cg_s11`,
-/// `cg_s22`, `cg_s12`, coarse-grained stress at the centroid [Pa].
+/// positive; `rattler` (0 or 1), of a fragment in a model with bonds, which has its number
+/// `fragment`; where particles can break, `rat`. On request `volumetric_strain` (contraction
+/// positive), `deviatoric_strain` [-] and `rotation` [rad] of the material around the intact
+/// particle it comes from, since the reference (zero where that is unknown); `cg_s11`, `cg_s22`,
+/// `cg_s12`, coarse-grained stress at the centroid [Pa].
 template <class Sim>
 [[nodiscard]] VtpFile particles_vtp(const Sim& sim, const ParticleArrays& more = {}) {
   const Particles& particles = sim.particles();
@@ -78,12 +81,19 @@ template <class Sim>
   add("motion", [&](BodyIndex i) { return static_cast<int>(particles.body(i).motion); });
   add("velocity", [&](BodyIndex i) { return particles.body(i).velocity; });
   add("spin", [&](BodyIndex i) { return particles.body(i).angular_velocity; });
-  const std::vector<Stress2> stresses = contact_stresses(sim.contacts(), particles);
+  const std::vector<Stress2> stresses = contact_stresses(sim.interactions(), particles);
   add("s11", [&](BodyIndex i) { return stresses[i].s11; });
   add("s22", [&](BodyIndex i) { return stresses[i].s22; });
   add("s12", [&](BodyIndex i) { return stresses[i].s12; });
-  const std::vector<bool> is_rattler = rattlers(sim.contacts(), particles);
+  const std::vector<bool> is_rattler = [&] {
+    if constexpr (has_bonds<Sim>) return fragment_rattlers(sim);
+    return rattlers(sim.contacts(), particles);
+  }();
   add("rattler", [&](BodyIndex i) { return static_cast<int>(is_rattler[i]); });
+  if constexpr (has_bonds<Sim>) {
+    const std::vector<std::uint32_t> numbers = fragment_numbers(sim);
+    add("fragment", [&](BodyIndex i) { return numbers[i]; });
+  }
   if constexpr (Sim::breakable) {
     const std::vector<double> ratios = sim.failed_ratios();
     add("rat", [&](BodyIndex i) { return ratios[i]; });
@@ -96,7 +106,7 @@ template <class Sim>
   }
   if (more.kernel_radius > 0) {
     const std::vector<Stress2> smooth =
-        coarse_grained_stresses(sim.contacts(), particles, LucyKernel{more.kernel_radius});
+        coarse_grained_stresses(sim.interactions(), particles, LucyKernel{more.kernel_radius});
     add("cg_s11", [&](BodyIndex i) { return smooth[i].s11; });
     add("cg_s22", [&](BodyIndex i) { return smooth[i].s22; });
     add("cg_s12", [&](BodyIndex i) { return smooth[i].s12; });
@@ -130,9 +140,10 @@ template <class Sim>
 }
 
 /// Writes `particles_0000.vtp`, `contacts_0000.vtp` and so on into a folder, and beside them the
-/// two collections to open, `particles.pvd` and `contacts.pvd`. As an observer of BiaxialTest it
-/// writes at each record, and the time of the series is the axial strain; elsewhere call `write`.
-/// The first state removes the files of an earlier series from the folder.
+/// two collections to open, `particles.pvd` and `contacts.pvd`; those of bonds, too, if the model
+/// has them. As an observer of BiaxialTest it writes at each record, and the time of the series is
+/// the axial strain; elsewhere call `write`. The first state removes the files of an earlier series
+/// from the folder.
 class ParaViewSeries {
  public:
   bool local_strain = true;  ///< arrays of strain since the first state of the series
@@ -170,6 +181,7 @@ class ParaViewSeries {
     const std::string file = "_" + number_text(times_.size()) + ".vtp";
     particles_vtp(sim, arrays_).save(folder_ / ("particles" + file));
     contacts_vtp(sim).save(folder_ / ("contacts" + file));
+    if constexpr (has_bonds<Sim>) bonds_vtp(sim).save(folder_ / ("bonds" + file));
     times_.push_back(time);
     write_collections();
   }
@@ -194,11 +206,13 @@ class ParaViewSeries {
   void write_collections() const {
     for (const std::string name : {"particles", "contacts"})
       write_file(folder_ / (name + ".pvd"), collection(name));
+    if (std::error_code ignored; std::filesystem::exists(folder_ / "bonds_0000.vtp", ignored))
+      write_file(folder_ / "bonds.pvd", collection("bonds"));
   }
   // "particles_0123.vtp", "contacts.pvd" and the like, or what a killed program left of one.
   [[nodiscard]] static bool is_of_series(std::string_view name) {
     if (name.ends_with(".part")) name.remove_suffix(5);
-    for (const std::string_view kind : {"particles", "contacts"}) {
+    for (const std::string_view kind : {"particles", "contacts", "bonds"}) {
       if (!name.starts_with(kind)) continue;
       const std::string_view rest = name.substr(kind.size());
       if (rest == ".pvd") return true;

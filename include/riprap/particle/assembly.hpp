@@ -11,6 +11,7 @@
 #include <riprap/core/linkage.hpp>
 #include <riprap/geometry/convex_polygon.hpp>
 #include <riprap/particle/body.hpp>
+#include <riprap/particle/placed_bond.hpp>
 
 namespace riprap {
 
@@ -27,9 +28,10 @@ struct PlacedParticle {
 struct Assembly {
   double thickness = 0.016;  ///< [m]
   std::vector<PlacedParticle> particles;
-  Vec2 period{0, 0};        ///< extents of a periodic cell [m]; zero: an open plane
-  Vec2 centre{0, 0};        ///< of the periodic cell [m]
-  double shear_offset = 0;  ///< of a sheared cell: see PeriodicDomain [m]
+  Vec2 period{0, 0};                ///< extents of a periodic cell [m]; zero: an open plane
+  Vec2 centre{0, 0};                ///< of the periodic cell [m]
+  double shear_offset = 0;          ///< of a sheared cell: see PeriodicDomain [m]
+  std::vector<PlacedBond> bonds{};  ///< between particles; for models with a bond law
 
   /// The same particles, and cell, elsewhere.
   [[nodiscard]] Assembly moved(const Vec2& shift) const;

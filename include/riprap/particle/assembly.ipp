@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 
 #include <riprap/particle/assembly.hpp>
 
@@ -11,6 +12,8 @@ RIPRAP_INLINE Assembly Assembly::moved(const Vec2& shift) const {
   Assembly other = *this;
   for (PlacedParticle& p : other.particles) p.polygon = p.polygon.moved({}, shift);
   other.centre += shift;
+  for (PlacedBond& bond : other.bonds)
+    for (Vec2& end : bond.ends) end += shift;
   return other;
 }
 
@@ -23,6 +26,26 @@ RIPRAP_INLINE void Assembly::validate() const {
     const PlacedParticle& p = particles[i];
     if (!is_finite(p.velocity) || !std::isfinite(p.angular_velocity))
       throw InvalidInput(particle_text(static_cast<ParticleId>(i)) + ": velocity must be finite");
+  }
+  for (std::size_t k = 0; k < bonds.size(); ++k) {
+    const PlacedBond& bond = bonds[k];
+    const std::string name = "Assembly.bonds[" + std::to_string(k) + "]";
+    for (const std::size_t i : {bond.a, bond.b})
+      require(i < particles.size(), name + ": particle", static_cast<double>(i),
+              "must be in the assembly");
+    require(bond.a != bond.b, name + ": particle", static_cast<double>(bond.b),
+            "must not be bonded to itself");
+    const double length = (bond.ends[1] - bond.ends[0]).norm();
+    require(length > 0 && std::isfinite(length), name + ": length [m]", length,
+            "must be above 0 and finite");
+    for (const std::size_t i : {bond.a, bond.b}) {
+      const Motion motion = particles[i].motion;
+      if (motion == Motion::wall || motion == Motion::platen)
+        throw InvalidInput(name + ": " + particle_text(static_cast<ParticleId>(i)) +
+                           " must not be a wall");
+    }
+    require(period != Vec2{0, 0} || bond.image == PeriodicDomain::Image{}, name + ": image",
+            bond.image.axis_1, "must be zero where there is no period");
   }
 }
 

@@ -86,6 +86,8 @@ class Particles {
 
   /// Takes particle i away; those behind it move up, in their order. Ids are not used again.
   void remove(BodyIndex i);
+  /// Makes an intact particle a part of one with another root, as the cells of a cluster are.
+  void set_root(BodyIndex i, ParticleId root) { ancestries_[i].root = root; }
   /// Where the particle with an id is; none, if it has broken or was removed.
   [[nodiscard]] std::optional<BodyIndex> find(ParticleId id) const;
 

@@ -65,6 +65,7 @@ class BodyChanges {
             "must be below the number of rocks");
     const Energy before = energy();
     const BodyIndex i = sim().particles_.add(polygon, motion, nullptr, material);
+    sim().bonds_.add_body(sim().particles_);
     try {
       set_velocity(i, velocity, spin);
       update_contacts();
@@ -114,8 +115,8 @@ class BodyChanges {
   };
   [[nodiscard]] Energy energy() const {
     const auto& contacts = sim().contacts();
-    return {kinetic_energy(sim().particles()) + stored_energy(contacts),
-            contacts.friction_loss() + contacts.viscous_loss()};
+    return {kinetic_energy(sim().particles()) + stored_energy_of(sim()),
+            contacts.friction_loss() + contacts.viscous_loss() + bond_loss(sim())};
   }
   void book(const Energy& before) {
     const Energy now = energy();
@@ -126,6 +127,7 @@ class BodyChanges {
     const std::size_t count = sim().particles_.size();
     sim().particles_.remove(i);
     sim().contacts_.remove(i);
+    sim().bonds_.remove(i, sim().particles_, sim().contacts_);
     sim().breakage_.remove(i, count);
     sim().loads_.remove(i);
     if (auto& work = sim().work_; i < work.size()) {

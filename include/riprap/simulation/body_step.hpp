@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <span>
+#include <type_traits>
 
 #include <riprap/core/errors.hpp>
 #include <riprap/core/exact_sum.hpp>
@@ -62,10 +63,14 @@ struct BodyWork {
   return {boundary.value(), body_force.value(), damping.value(), load.value(), other.added};
 }
 
+/// Bodies that no bond joins.
+struct NoBondForces {};
+
 /// Moves free bodies by the integrator and driven ones at their velocity. Each kick's work is
 /// booked with the velocities before and after it.
 /// @tparam MotionPart offers `integrator`, `damping` and `body_force`
-template <class MotionPart, class Domain>
+/// @tparam BondForces a range of the wrench of bonds on each body
+template <class MotionPart, class Domain, class BondForces = NoBondForces>
 class BodyStep {
  public:
   static constexpr bool has_second_kick = decltype(MotionPart::integrator)::has_second_kick;
@@ -73,8 +78,8 @@ class BodyStep {
   /// @param time_step [s]
   /// @param loads external ones, on the bodies from the first on; those without one have none
   BodyStep(const MotionPart& motion, const Domain& domain, double time_step,
-           std::span<const Wrench> loads = {})
-      : motion_(motion), domain_(domain), time_step_(time_step), loads_(loads) {}
+           std::span<const Wrench> loads = {}, BondForces bonds = {})
+      : motion_(motion), domain_(domain), time_step_(time_step), loads_(loads), bonds_(bonds) {}
 
   /// Time of the first and of the second kick [s].
   [[nodiscard]] double first_kick_time() const {
@@ -93,12 +98,12 @@ class BodyStep {
     for (BodyIndex i = first; i < last; ++i) {
       Body& body = particles.body(i);
       if (body.is_free()) {
-        kick_free(body, load_on(i), kick_time, work[i], [this](Body& b, const Wrench& w) {
+        kick_free(i, body, load_on(i), kick_time, work[i], [this](Body& b, const Wrench& w) {
           motion_.integrator.advance(b, w, time_step_);
         });
       } else {
         drift(body, time_step_);
-        book_driven(body, kick_time, work[i]);
+        book_driven(i, body, kick_time, work[i]);
       }
       if (!is_finite(body)) throw_not_finite(particles, i);
     }
@@ -119,11 +124,11 @@ class BodyStep {
     for (BodyIndex i = first; i < last; ++i) {
       Body& body = particles.body(i);
       if (body.is_free())
-        kick_free(body, load_on(i), kick_time, work[i], [this](Body& b, const Wrench& w) {
+        kick_free(i, body, load_on(i), kick_time, work[i], [this](Body& b, const Wrench& w) {
           motion_.integrator.second_kick(b, w, time_step_);
         });
       else
-        book_driven(body, kick_time, work[i]);
+        book_driven(i, body, kick_time, work[i]);
     }
   }
 
@@ -133,12 +138,12 @@ class BodyStep {
   }
 
   template <class Kick>
-  void kick_free(Body& body, const Wrench* load, double kick_time, BodyWork& work,
+  void kick_free(BodyIndex i, Body& body, const Wrench* load, double kick_time, BodyWork& work,
                  Kick&& kick) const {
     const Vec2 velocity_before = body.velocity;
     const double spin_before = body.angular_velocity;
     const Vec2 acceleration = motion_.body_force(body);
-    Wrench total = body.contact;
+    Wrench total = forces_on(i, body);
     total.add({body.mass * acceleration.x(), body.mass * acceleration.y()}, 0);
     if (load) total.add(load->force, load->moment);
     const Wrench damped = motion_.damping(seen_by_damping(body), total);
@@ -165,9 +170,17 @@ class BodyStep {
     }
   }
 
-  static void book_driven(const Body& body, double kick_time, BodyWork& work) {
-    work.boundary -= kick_time * (body.contact.force.dot(body.velocity) +
-                                  body.contact.moment * body.angular_velocity);
+  // Of contacts and bonds.
+  [[nodiscard]] Wrench forces_on([[maybe_unused]] BodyIndex i, const Body& body) const {
+    Wrench total = body.contact;
+    if constexpr (!std::is_same_v<BondForces, NoBondForces>)
+      total.add(bonds_[i].force, bonds_[i].moment);
+    return total;
+  }
+  void book_driven(BodyIndex i, const Body& body, double kick_time, BodyWork& work) const {
+    const Wrench total = forces_on(i, body);
+    work.boundary -=
+        kick_time * (total.force.dot(body.velocity) + total.moment * body.angular_velocity);
   }
 
   // Whether a vertex moves by more than half the circumradius: a contact may begin and end within
@@ -208,6 +221,7 @@ class BodyStep {
   [[no_unique_address]] Domain domain_;
   double time_step_;
   std::span<const Wrench> loads_;
+  [[no_unique_address]] BondForces bonds_;
 };
 
 }  // namespace riprap

@@ -4,10 +4,13 @@
 /// What a simulation keeps for its breakage passes.
 
 #include <cstddef>
+#include <type_traits>
 
+#include <riprap/bond/bond_law/no_bonds.hpp>
 #include <riprap/breakage/breakage_input.hpp>
 #include <riprap/breakage/breakage_pass.hpp>
 #include <riprap/breakage/screening/concepts.hpp>
+#include <riprap/breakage/screening/evaluate_all.hpp>
 #include <riprap/simulation/piece_limit.hpp>
 
 namespace riprap {
@@ -29,7 +32,10 @@ template <class ModelType>
 struct BreakageStage<ModelType> {
   using BreakagePart = decltype(ModelType::breakage_model);
   using StressPart = decltype(ModelType::stress_model);
-  using ScreeningPolicy = decltype(ModelType::acceleration_model.screening);
+  static constexpr bool bonded = makes_bonds<decltype(ModelType::contact_model.bond_law)>;
+  // The screening follows contacts: with bonds every loaded particle is evaluated.
+  using ScreeningPolicy =
+      std::conditional_t<bonded, EvaluateAll, decltype(ModelType::acceleration_model.screening)>;
   static_assert(check_screening_state<ScreeningPolicy, BreakagePart, StressPart>());
 
   explicit BreakageStage(const ModelType& model)
@@ -73,6 +79,7 @@ struct BreakageStage<ModelType> {
   static void for_each_field(auto& self, auto&& visit) {
     visit("pass", self.pass);
     visit("pieces", self.piece_limit);
+    if constexpr (bonded) visit("cells", self.piece_limit.cells);
   }
   /// After the fields have been written: operators and screening are of other particles.
   void restart(const ModelType& model) {

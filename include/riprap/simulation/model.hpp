@@ -36,21 +36,28 @@ struct Model {
   template <class P>
   [[nodiscard]] auto contact_law(P policy) const {
     return with_contact<check_contact_law<P>()>([&](const auto& m) {
-      return ContactModel{m.broad_phase, m.narrow_phase, std::move(policy)};
+      return ContactModel{m.broad_phase, m.narrow_phase, std::move(policy), m.bond_law};
     });
   }
   /// How pairs of near bodies are found.
   template <class P>
   [[nodiscard]] auto broad_phase(P policy) const {
     return with_contact<check_broad_phase<P>()>([&](const auto& m) {
-      return ContactModel{std::move(policy), m.narrow_phase, m.law};
+      return ContactModel{std::move(policy), m.narrow_phase, m.law, m.bond_law};
     });
   }
   /// How the contact of two rings is described.
   template <class P>
   [[nodiscard]] auto narrow_phase(P policy) const {
     return with_contact<check_narrow_phase<P>()>([&](const auto& m) {
-      return ContactModel{m.broad_phase, std::move(policy), m.law};
+      return ContactModel{m.broad_phase, std::move(policy), m.law, m.bond_law};
+    });
+  }
+  /// What joins particles along common edges.
+  template <class P>
+  [[nodiscard]] auto bond_law(P policy) const {
+    return with_contact<check_bond_law<P>()>([&](const auto& m) {
+      return ContactModel{m.broad_phase, m.narrow_phase, m.law, std::move(policy)};
     });
   }
 
@@ -224,7 +231,8 @@ struct Model {
   /// Calls `validate()` of every policy that has one; throws InvalidInput.
   void validate() const {
     const auto all = [](const auto&... policies) { (riprap::validate(policies), ...); };
-    all(contact_model.broad_phase, contact_model.narrow_phase, contact_model.law);
+    all(contact_model.broad_phase, contact_model.narrow_phase, contact_model.law,
+        contact_model.bond_law);
     all(motion_model.integrator, motion_model.damping, motion_model.time_step,
         motion_model.boundary, motion_model.body_force);
     all(stress_model.mesher, stress_model.element, stress_model.plane_state, stress_model.support);

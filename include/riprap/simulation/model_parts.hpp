@@ -3,6 +3,7 @@
 /// @file
 /// The parts of a model: groups of policies.
 
+#include <riprap/bond/bond_law/no_bonds.hpp>
 #include <riprap/breakage/criterion/hoek_brown.hpp>
 #include <riprap/breakage/criterion/never_fails.hpp>
 #include <riprap/breakage/inheritance/rigid_field.hpp>
@@ -25,23 +26,27 @@
 
 namespace riprap {
 
-/// From poses to contact forces.
+/// From poses to the forces of contacts and bonds.
 template <BroadPhase BroadT = UniformGrid, NarrowPhase NarrowT = OverlapMoments,
-          ContactLaw LawT = EnergyConservingSpring>
+          ContactLaw LawT = EnergyConservingSpring, BondLaw BondT = NoBonds>
 struct ContactModel {
   BroadT broad_phase{};
   NarrowT narrow_phase{};
   LawT law{};
+  [[no_unique_address]] BondT bond_law{};
 
   /// But for the broad phase, on which no result depends.
   static constexpr bool names_all_members = false;
   static void for_each_field(auto& self, auto&& visit) {
     visit("narrow_phase", self.narrow_phase);
     visit("contact_law", self.law);
+    if constexpr (makes_bonds<BondT>) visit("bond_law", self.bond_law);
   }
 };
 template <class B, class N, class L>
 ContactModel(B, N, L) -> ContactModel<B, N, L>;
+template <class B, class N, class L, class K>
+ContactModel(B, N, L, K) -> ContactModel<B, N, L, K>;
 
 /// From forces to motion.
 template <Integrator IntegratorT = SymplecticEuler, Damping DampingT = LocalDamping,

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include <riprap/core/step_phase.hpp>
+#include <riprap/simulation/bond_break.hpp>
 #include <riprap/simulation/break_event.hpp>
 
 /// An observer is any object with some of the member functions named here; each is called with the
@@ -47,12 +48,15 @@ struct StepHooks {
   static constexpr bool on_break = requires(O& o, Sim& sim, const BreakEvent& event) {
     o.on_break(sim, event);
   } || requires { requires IsFunction<&O::on_break>; };
+  static constexpr bool on_bond_break = requires(O& o, Sim& sim, const BondBreak& event) {
+    o.on_bond_break(sim, event);
+  } || requires { requires IsFunction<&O::on_bond_break>; };
   static constexpr bool after_splits = requires(O& o, Sim& sim) { o.after_splits(sim); } ||
                                        requires { requires IsFunction<&O::after_splits>; };
   static constexpr bool after_step = requires(O& o, Sim& sim) { o.after_step(sim); } ||
                                      requires { requires IsFunction<&O::after_step>; };
   static constexpr bool any = on_phase_end || before_forces || after_forces || before_splits ||
-                              on_break || after_splits || after_step;
+                              on_break || on_bond_break || after_splits || after_step;
 };
 
 /// Refuses an observer that a step would never call: a hook may be misspelt.
@@ -61,7 +65,7 @@ consteval void check_step_observer() {
   static_assert(
       StepHooks<O, Sim>::any,
       "riprap: an observer of a step must have one of the hooks on_phase_end, before_forces, "
-      "after_forces, before_splits, on_break, after_splits, after_step "
+      "after_forces, before_splits, on_break, on_bond_break, after_splits, after_step "
       "(docs/policies/observer.md)");
 }
 
@@ -126,6 +130,16 @@ inline constexpr auto on_break = []<class O, class Sim>(O& observer, const Sim& 
   else
     check_no_hook<O, requires { requires IsFunction<&O::on_break>; },
                   requires(Sim& other) { observer.on_break(other, event); }>();
+};
+
+/// A bond has broken, and contacts are those of the new poses; `event` is a BondBreak.
+inline constexpr auto on_bond_break = []<class O, class Sim>(O& observer, const Sim& sim,
+                                                             const auto& event) {
+  if constexpr (requires { observer.on_bond_break(sim, event); })
+    observer.on_bond_break(sim, event);
+  else
+    check_no_hook<O, requires { requires IsFunction<&O::on_bond_break>; },
+                  requires(Sim& other) { observer.on_bond_break(other, event); }>();
 };
 
 /// Contacts of the pieces are evaluated.

@@ -3,7 +3,10 @@
 /// @file
 /// Puts the pieces of a particle that breaks in its place.
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <riprap/breakage/crack.hpp>
@@ -12,6 +15,18 @@
 #include <riprap/simulation/break_event.hpp>
 
 namespace riprap {
+
+/// The record of a particle that breaks, without its pieces.
+[[nodiscard]] inline BreakEvent event_of(const Crack& crack, const Ancestry& particle,
+                                         std::uint64_t step, double time) {
+  return {.step = step,
+          .time = time,
+          .particle = particle,
+          .failures = crack.failures,
+          .mode = crack.mode,
+          .line = crack.line,
+          .crack_length = crack.length};
+}
 
 /// The left piece takes the place of particle i, the right one is new; where one of them is dust,
 /// the other takes the place. Fills ids, areas and centroids of the event in.
@@ -45,6 +60,16 @@ BodyIndex replace_by_pieces(const ModelType& model, double smallest_mass, const 
     event.pieces[k] = particles.ancestry(index).id;
   }
   return index;
+}
+
+/// The indices of the pieces on the left and on the right; none of one that is dust.
+/// @param second what `replace_by_pieces` returned
+[[nodiscard]] inline std::array<std::optional<BodyIndex>, 2>
+pieces_of(const Crack& crack, BodyIndex i, BodyIndex second) {
+  std::array<std::optional<BodyIndex>, 2> pieces;
+  if (!crack.is_dust[0]) pieces[0] = i;
+  if (!crack.is_dust[1]) pieces[1] = crack.is_dust[0] ? i : second;
+  return pieces;
 }
 
 }  // namespace riprap

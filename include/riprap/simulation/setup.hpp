@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 
+#include <riprap/bond/bond_law/no_bonds.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/dynamics/boundary/domain_of.hpp>
 #include <riprap/material/rocks.hpp>
@@ -43,6 +44,8 @@ template <class ModelType>
   if (assembly.particles.empty()) throw InvalidInput("Assembly.particles is empty");
   if (!PeriodicBoundary<BoundaryType> && assembly.period != Vec2{0, 0})
     throw InvalidInput("Assembly.period is set: give the model a PeriodicCell as its boundary");
+  if (!makes_bonds<decltype(ModelType::contact_model.bond_law)> && !assembly.bonds.empty())
+    throw InvalidInput("Assembly.bonds is not empty: give the model a bond_law");
   return model;
 }
 

@@ -20,12 +20,14 @@
 #include <riprap/simulation/body_changes.hpp>
 #include <riprap/simulation/body_settings.hpp>
 #include <riprap/simulation/body_step.hpp>
+#include <riprap/simulation/bonding.hpp>
 #include <riprap/simulation/break_event.hpp>
 #include <riprap/simulation/breakage_stage.hpp>
+#include <riprap/simulation/breaking.hpp>
 #include <riprap/simulation/external_loads.hpp>
 #include <riprap/simulation/model.hpp>
 #include <riprap/simulation/observer.hpp>
-#include <riprap/simulation/replace_by_pieces.hpp>
+#include <riprap/simulation/settings.hpp>
 #include <riprap/simulation/setup.hpp>
 #include <riprap/simulation/stress_query.hpp>
 
@@ -39,14 +41,19 @@ namespace riprap {
 /// Moved, not copied: operators are large.
 template <class ModelType>
 class Simulation : public BodyChanges<Simulation<ModelType>>,
+                   public Bonding<Simulation<ModelType>>,
+                   public Breaking<Simulation<ModelType>>,
+                   public Settings<Simulation<ModelType>, ModelType>,
                    public StressQueries<Simulation<ModelType>> {
  public:
   using Domain = DomainOf<decltype(ModelType::motion_model.boundary)>;
-  using Contacts = ContactList<decltype(ModelType::contact_model.broad_phase),
-                               decltype(ModelType::contact_model.narrow_phase),
-                               decltype(ModelType::contact_model.law), Domain,
-                               decltype(ModelType::acceleration_model.neighbour_list),
-                               decltype(ModelType::acceleration_model.detection)>;
+  using BondLaw = decltype(ModelType::contact_model.bond_law);
+  using Contacts = ContactList<
+      decltype(ModelType::contact_model.broad_phase),
+      decltype(ModelType::contact_model.narrow_phase), decltype(ModelType::contact_model.law),
+      Domain, decltype(ModelType::acceleration_model.neighbour_list),
+      decltype(ModelType::acceleration_model.detection), PairsWithoutContact<BondLaw, Domain>>;
+  static constexpr bool bonded = makes_bonds<BondLaw>;
   static constexpr bool breakable = !decltype(ModelType::breakage_model)::never_fails;
   /// Whether a step may evaluate finite elements.
   static constexpr bool needs_elements =
@@ -58,12 +65,15 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
         rocks_(rocks), particles_(assembly.thickness, rocks.densities()),
         contacts_(model_.contact_model.broad_phase, model_.contact_model.narrow_phase,
                   model_.contact_model.law),
-        breakage_(model_) {
+        bonds_(model_.contact_model.bond_law), breakage_(model_) {
     mean_area_ = add_particles(assembly, particles_);
-    choose_time_step();
     if constexpr (requires { boundary().enclose(assembly, particles_); })
       boundary().enclose(assembly, particles_);
     if constexpr (Domain::periodic) contacts_.set_domain(boundary().domain());
+    bonds_.begin(assembly, particles_, contacts_.domain());
+    if constexpr (bonded && breakable) breakage_.piece_limit.count_cells(particles_);
+    bonds_.exclude(contacts_);
+    choose_time_step();
     contacts_.update(particles_, 0, model_.execution_policy);
     try {
       contacts_.check_overlaps(particles_);
@@ -94,8 +104,10 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
       contacts_.set_domain(boundary().domain());
     }
     on_phase_end(StepPhase::other);
+    bonds_.update(particles_, contacts_, {steps_, time_}, model_.execution_policy);
     contacts_.update(particles_, time_step_, model_.execution_policy, on_phase_end);
     contacts_.check_overlaps(particles_);
+    this->tell_bond_breaks(observers...);
     (hooks::after_forces(observers, *this), ...);
     on_phase_end(StepPhase::other);
     kick_bodies_again();
@@ -103,7 +115,7 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
     ++steps_;
     if constexpr (breakable)
       if (breakage_active_ && steps_ % model_.breakage_model.check_every == 0)
-        break_particles(on_phase_end, observers...);
+        this->break_particles(on_phase_end, observers...);
     (hooks::after_step(observers, *this), ...);
   }
 
@@ -124,12 +136,6 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
     return particles_.body(i).contact;
   }
   [[nodiscard]] const std::vector<BreakEvent>& breaks() const { return breaks_; }
-  /// In the hook before_splits: which particles break, still whole, and how; in order of ids.
-  [[nodiscard]] const BreakagePass::Cracks& cracks() const
-    requires breakable
-  {
-    return breakage_.pass.cracks();
-  }
   /// Mean area of the intact particles at the start, platens and prescribed bodies left out [m^2],
   /// and the mass of the smallest free one [kg].
   [[nodiscard]] double mean_area() const { return mean_area_; }
@@ -137,35 +143,12 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
   /// Memory held by influence operators [bytes].
   [[nodiscard]] std::size_t operator_bytes() const { return breakage_.operator_bytes(); }
 
-  // What an experiment may change between steps, beside the bodies: see BodyChanges.
+  // What an experiment may change between steps, beside BodyChanges, Bonding and Settings.
 
   [[nodiscard]] auto& boundary() { return motion_.boundary; }
   [[nodiscard]] const auto& boundary() const { return motion_.boundary; }
   [[nodiscard]] auto& contact_law() { return contacts_.law(); }
   [[nodiscard]] auto& damping() { return motion_.damping; }
-  void set_breakage(bool active) { breakage_active_ = active; }
-  [[nodiscard]] bool breakage() const { return breakage_active_; }
-  /// Sets the acceleration of the body force on free bodies [m/s^2], if it is uniform.
-  void set_body_force(const Vec2& acceleration)
-    requires std::same_as<decltype(ModelType::motion_model.body_force), UniformBodyForce>
-  {
-    const UniformBodyForce body_force{acceleration};
-    body_force.validate();
-    motion_.body_force = body_force;
-  }
-  [[nodiscard]] const auto& body_force() const { return motion_.body_force; }
-  /// Replaces the time step [s] that the rule chose; stability is the caller's responsibility.
-  void set_time_step(double seconds) {
-    require_positive("time step", seconds);
-    time_step_ = seconds;
-  }
-
-  /// Memory for influence operators [bytes], with an OperatorCache: results do not depend on it.
-  void set_operator_budget(std::size_t bytes)
-    requires requires(BreakageStage<ModelType>& stage) { stage.operators.set_budget(bytes); }
-  {
-    breakage_.operators.set_budget(bytes);
-  }
 
   /// What a simulation of the same model and rock needs to go on; written, `restored` must follow.
   static void for_each_field(auto& self, auto&& visit) {
@@ -184,29 +167,36 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
     visit("breakage", self.breakage_);
     visit("loads", self.loads_);
     visit("breaks", self.breaks_);
+    if constexpr (bonded) visit("bonds", self.bonds_);
   }
   void restored() {
+    bonds_.restore(particles_, contacts_);
     contacts_.restore(particles_);
     breakage_.restart(model_);
   }
 
  private:
   friend class BodyChanges<Simulation>;
+  friend class Bonding<Simulation>;
+  friend class Breaking<Simulation>;
+  friend class Settings<Simulation, ModelType>;
   friend class StressQueries<Simulation>;
 
-  [[nodiscard]] StressQuery<ModelType, Contacts> stress_query() const {
-    return {model_, rocks_, particles_, contacts_, breakage_};
+  [[nodiscard]] auto stress_query() const {
+    using Forces = decltype(this->interactions());
+    return StressQuery<ModelType, Forces>{model_, rocks_, particles_, this->interactions(),
+                                          breakage_};
   }
 
   [[nodiscard]] auto body_step() {
-    return BodyStep(motion_, contacts_.domain(), time_step_, loads_.all());
+    return BodyStep(motion_, contacts_.domain(), time_step_, loads_.all(), bonds_.wrenches());
   }
 
   // Forces of the present poses move the bodies to the next ones.
   void advance_bodies() {
     const auto step = body_step();
     step_bodies([&](std::size_t task, BodyIndex first, BodyIndex last) {
-      contacts_.add_image_work(task, step.first_kick_time(), image_work_[task]);
+      add_image_work(task, first, last, step.first_kick_time());
       step.advance(particles_, first, last, work_);
       contacts_.record_motion(particles_, task, first, last);
     });
@@ -218,10 +208,15 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
     if constexpr (decltype(body_step())::has_second_kick) {
       const auto step = body_step();
       step_bodies([&](std::size_t task, BodyIndex first, BodyIndex last) {
-        contacts_.add_image_work(task, step.second_kick_time(), image_work_[task]);
+        add_image_work(task, first, last, step.second_kick_time());
         step.second_kick(particles_, first, last, work_);
       });
     }
+  }
+
+  void add_image_work(std::size_t task, BodyIndex first, BodyIndex last, double seconds) {
+    contacts_.add_image_work(task, seconds, image_work_[task]);
+    bonds_.add_image_work(first, last, contacts_.domain(), seconds, image_work_[task]);
   }
 
   // Calls `step(task, first, last)` for every task.
@@ -235,47 +230,15 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
                   });
   }
 
-  // All cracks are found before the first split, which changes the contacts that load the others.
-  template <class OnPhaseEnd, class... Observers>
-  void break_particles(OnPhaseEnd&& on_phase_end, Observers&... observers) {
-    const BreakagePass::Cracks& cracks =
-        breakage_.find_cracks(model_, rocks_, mean_area_, particles_, contacts_, on_phase_end);
-    if (cracks.empty()) return;
-    const std::size_t first = breaks_.size();
-    (hooks::before_splits(observers, *this), ...);
-    for (const auto& [i, crack] : cracks) split(i, crack);
-    contacts_.update_pieces(particles_);
-    (hooks::after_splits(observers, *this), ...);
-    for (std::size_t k = first; k < breaks_.size(); ++k)
-      (hooks::on_break(observers, *this, breaks_[k]), ...);
-    on_phase_end(StepPhase::splitting);
-  }
-
-  void split(BodyIndex i, const Crack& crack) {
-    BreakEvent event{.step = steps_,
-                     .time = time_,
-                     .particle = particles_.ancestry(i),
-                     .failures = crack.failures,
-                     .mode = crack.mode,
-                     .line = crack.line,
-                     .crack_length = crack.length};
-    const Body whole = particles_.body(i);
-    const BodyIndex second = replace_by_pieces(model_, smallest_mass_, crack, i, particles_, event);
-    const auto on_right = [&](const Vec2& x) { return crack.line.left_distance(x) < 0; };
-    const auto on_dust = [&](const Vec2& x) { return crack.is_dust[on_right(x) ? 1 : 0]; };
-    if (crack.leaves_dust())
-      contacts_.cut_off(particles_, whole, i, on_dust);
-    else
-      contacts_.divide(particles_, whole, i, second, on_right);
-    breakage_.forget(i);
-    loads_.forget(i);
-    breaks_.push_back(event);
-  }
-
   void choose_time_step() {
     smallest_mass_ = smallest_intact_mass(particles_, smallest_mass_);
-    const double stiffness = contacts_.law().peak_stiffness();
-    time_step_ = model_.motion_model.time_step.time_step(smallest_mass_, stiffness);
+    time_step_ = stable_time_step();
+  }
+  // By the rule, for the smallest intact mass.
+  [[nodiscard]] double stable_time_step() const {
+    const double stiffness =
+        contacts_.law().peak_stiffness() + bonds_.stiffness(particles_, smallest_mass_);
+    return model_.motion_model.time_step.time_step(smallest_mass_, stiffness);
   }
 
   ModelType model_;                           // as it was given
@@ -284,6 +247,7 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
   Particles particles_;
   Contacts contacts_;
   ExternalLoads loads_;
+  [[no_unique_address]] BondStage<BondLaw, Domain> bonds_;
   [[no_unique_address]] BreakageStage<ModelType> breakage_;
   double smallest_mass_ = 0;
   double mean_area_ = 0;

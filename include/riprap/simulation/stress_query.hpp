@@ -16,11 +16,12 @@ namespace riprap {
 
 /// Reads the state of a simulation and changes nothing: operators that are not in memory are built
 /// and not kept.
+/// @tparam Contacts a reference to a contact list, or Interactions
 template <class ModelType, class Contacts>
 class StressQuery {
  public:
   StressQuery(const ModelType& model, const Rocks& rocks, const Particles& particles,
-              const Contacts& contacts, const BreakageStage<ModelType>& stage)
+              Contacts contacts, const BreakageStage<ModelType>& stage)
       : model_(model), rocks_(rocks), particles_(particles), contacts_(contacts), stage_(stage) {}
 
   /// Element stresses of particle i under its present contact forces, in its own frame, in the
@@ -69,9 +70,13 @@ class StressQuery {
   const ModelType& model_;
   const Rocks& rocks_;
   const Particles& particles_;
-  const Contacts& contacts_;
+  Contacts contacts_;
   const BreakageStage<ModelType>& stage_;
 };
+
+template <class M, class C>
+StressQuery(const M&, const Rocks&, const Particles&, const C&, const BreakageStage<M>&)
+    -> StressQuery<M, const C&>;
 
 /// Base of a Simulation: what it says of the rock of its particles and the stress in them.
 template <class Sim>

@@ -61,7 +61,8 @@ class ContactLoads {
     for (auto& task : tasks_) task.clear();
   }
 
-  /// Gathers the loads of particle i, in the order of the pairs.
+  /// Gathers the loads of particle i, in the order of the pairs; behind them those of its bonds, if
+  /// the contacts come with bonds (Interactions).
   template <ListedContacts Contacts>
   void gather(const Contacts& contacts, BodyIndex i) {
     std::vector<ContactLoad>& all = tasks_[task_of(i)];
@@ -70,6 +71,10 @@ class ContactLoads {
       const auto& contact = contacts.pairs()[side.pair()];
       if (contact.touching) all.push_back(load_on(contact, side));
     }
+    if constexpr (requires { contacts.for_each_bond_force_on(i, requirements::ContactVisitor{}); })
+      contacts.for_each_bond_force_on(i, [&](const auto& force, bool is_b) {
+        all.push_back(load_on(force, PairSide{0, is_b}));
+      });
     ranges_[i].last = static_cast<std::uint32_t>(all.size());
   }
 

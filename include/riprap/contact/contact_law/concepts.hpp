@@ -36,6 +36,14 @@ struct DividedContact {
   bool has_point = true;  ///< the piece on whose side the contact of the particle acted
 };
 
+/// What a bond leaves to the contact that takes its place.
+struct FormerBond {
+  double normal_force = 0;       ///< with which its edges pushed each other [N], >= 0
+  double normal_energy = 0;      ///< stored in that [J]
+  double tangential_force = 0;   ///< on b along the tangent [N]
+  double tangential_energy = 0;  ///< stored in that [J]
+};
+
 namespace requirements {
 
 /// `L::History`: what a contact carries from step to step. Every new contact starts with
@@ -98,6 +106,17 @@ concept ContactLawDivided =
       { law.divided_history(history, geometry, part) } -> std::convertible_to<typename L::History>;
     };
 
+/// Optional: `law.history_after_bond(geometry, bond)` -> the history with which a contact begins
+/// where a bond has broken: bodies whose bond was compressed overlap at once. Its force and energy
+/// should be at most those of the bond. Without it the contact is new.
+template <class L>
+concept ContactLawAfterBond =
+    !requires(L& law, const ContactGeometry& geometry, const FormerBond& bond) {
+      law.history_after_bond(geometry, bond);
+    } || requires(const L& law, const ContactGeometry& geometry, const FormerBond& bond) {
+      { law.history_after_bond(geometry, bond) } -> std::convertible_to<typename L::History>;
+    };
+
 }  // namespace requirements
 
 /// A `ContactLaw` computes contact forces.
@@ -106,14 +125,14 @@ concept ContactLawDivided =
 /// experiments take the friction away while they compact, if the law can be assigned; likewise
 /// `law.with_friction(mu)` for samples that are compacted with another friction. A member
 /// `may_pull` that is true: the normal force may be negative. `law.divided_history` for contacts of
-/// particles that break. `law.materials()`: for how many materials it has parameters; none or 0:
-/// the same for all.
+/// particles that break, `law.history_after_bond` for those where a bond has broken.
+/// `law.materials()`: for how many materials it has parameters; none or 0: the same for all.
 template <class L>
 concept ContactLaw =
     Policy<L> && requirements::ContactLawHistory<L> && requirements::ContactLawCall<L> &&
     requirements::ContactLawEnergy<L> && requirements::ContactLawStiffness<L> &&
     requirements::ContactLawFrictionless<L> && requirements::ContactLawWithFriction<L> &&
-    requirements::ContactLawDivided<L>;
+    requirements::ContactLawDivided<L> && requirements::ContactLawAfterBond<L>;
 
 template <class L>
 consteval bool check_contact_law() {
@@ -139,6 +158,9 @@ consteval bool check_contact_law() {
     static_assert(requirements::ContactLawDivided<L>,
                   "riprap: divided_history of a ContactLaw must be History divided_history(const "
                   "History&, const ContactGeometry&, const DividedContact&) const");
+    static_assert(requirements::ContactLawAfterBond<L>,
+                  "riprap: history_after_bond of a ContactLaw must be History "
+                  "history_after_bond(const ContactGeometry&, const FormerBond&) const");
   }
   return ContactLaw<L>;
 }
@@ -152,6 +174,16 @@ template <ContactLaw L>
     return law.divided_history(history, geometry, part);
   else
     return part.has_point ? history : typename L::History{};
+}
+
+/// The history with which a contact begins where a bond has broken.
+template <ContactLaw L>
+[[nodiscard]] typename L::History history_after_bond(const L& law, const ContactGeometry& geometry,
+                                                     const FormerBond& bond) {
+  if constexpr (requires { law.history_after_bond(geometry, bond); })
+    return law.history_after_bond(geometry, bond);
+  else
+    return typename L::History{};
 }
 
 }  // namespace riprap

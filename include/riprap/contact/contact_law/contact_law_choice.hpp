@@ -65,6 +65,14 @@ struct ContactLawChoice {
         },
         chosen);
   }
+  [[nodiscard]] History history_after_bond(const ContactGeometry& geometry,
+                                           const FormerBond& bond) const {
+    return std::visit(
+        [&]<class Law>(const Law& law) -> History {
+          return HistoryOf<Law>{riprap::history_after_bond(law, geometry, bond)};
+        },
+        chosen);
+  }
   [[nodiscard]] double peak_stiffness() const {
     return std::visit([](const auto& law) -> double { return law.peak_stiffness(); }, chosen);
   }

@@ -60,6 +60,19 @@ struct EnergyConservingSpring {
             .offset = std::max(0.0, part.geometry.depth - compressed)};
   }
 
+  /// As much of the bond's force as its energy allows.
+  [[nodiscard]] History history_after_bond(const ContactGeometry& geometry,
+                                           const FormerBond& bond) const {
+    const double compressed =
+        std::min(bond.normal_force / (normal_stiffness * geometry.depth_gradient),
+                 std::sqrt(2 * bond.normal_energy / normal_stiffness));
+    const double most =
+        std::min(std::sqrt(2 * tangential_stiffness * bond.tangential_energy),
+                 friction * normal_stiffness * compressed * geometry.depth_gradient);
+    return {.tangential_force = std::clamp(bond.tangential_force, -most, most),
+            .offset = std::max(0.0, geometry.depth - compressed)};
+  }
+
   /// Of two faces, which OverlapMoments gives a spring at both ends.
   [[nodiscard]] double peak_stiffness() const {
     return std::max(2 * normal_stiffness, tangential_stiffness);

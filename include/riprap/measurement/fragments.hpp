@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+/// @file
+/// Fragments: the parts of a bonded sample that live bonds hold together.
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include <riprap/bond/components.hpp>
+#include <riprap/geometry/polygon_properties.hpp>
+#include <riprap/measurement/energy.hpp>
+#include <riprap/measurement/grading.hpp>
+#include <riprap/measurement/rattlers.hpp>
+#include <riprap/particle/particles.hpp>
+
+namespace riprap {
+
+/// Bodies that are joined, directly or through others; one without bonds is a fragment, too.
+struct Fragment {
+  std::uint32_t number = 0;       ///< as in fragment_numbers
+  ParticleId root = no_particle;  ///< of all its bodies
+  double area = 0;                ///< [m^2]
+  Vec2 centroid{0, 0};            ///< [m]; of the bodies themselves, not of images
+  bool is_free = true;            ///< none of its bodies is driven
+  std::vector<BodyIndex> bodies;  ///< in rising order
+};
+
+/// The number of the fragment of each body, from 0 on, in the order of their lowest bodies.
+/// @param bonds a range of objects with bodies `a` and `b`
+template <class Bonds>
+[[nodiscard]] std::vector<std::uint32_t> fragment_numbers(const Bonds& bonds, std::size_t bodies) {
+  Components joined(bodies);
+  for (const auto& bond : bonds) joined.join(bond.a, bond.b);
+  std::vector<std::uint32_t> numbers(bodies);
+  std::uint32_t next = 0;
+  for (BodyIndex i = 0; i < bodies; ++i) {
+    const BodyIndex lowest = joined.of(i);
+    numbers[i] = lowest == i ? next++ : numbers[lowest];
+  }
+  return numbers;
+}
+/// Of a simulation; each body on its own in a model without bonds.
+template <class Sim>
+[[nodiscard]] std::vector<std::uint32_t> fragment_numbers(const Sim& sim) {
+  const std::size_t bodies = sim.particles().size();
+  if constexpr (has_bonds<Sim>) {
+    return fragment_numbers(sim.bonds(), bodies);
+  } else {
+    std::vector<std::uint32_t> numbers(bodies);
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    return numbers;
+  }
+}
+
+/// The fragments of a simulation, walls and platens left out, in the order of their lowest bodies.
+template <class Sim>
+[[nodiscard]] std::vector<Fragment> fragments(const Sim& sim) {
+  const Particles& particles = sim.particles();
+  const std::vector<std::uint32_t> numbers = fragment_numbers(sim);
+  std::vector<Fragment> all(numbers.size());
+  for (BodyIndex i = 0; i < particles.size(); ++i) {
+    const Body& body = particles.body(i);
+    if (body.is_wall()) continue;
+    Fragment& fragment = all[numbers[i]];
+    const double area = particles.shape(i).area;
+    fragment.number = numbers[i];
+    fragment.root = particles.ancestry(i).root;
+    fragment.area += area;
+    fragment.centroid += area * body.position;
+    fragment.is_free = fragment.is_free && body.is_free();
+    fragment.bodies.push_back(i);
+  }
+  std::erase_if(all, [](const Fragment& fragment) { return fragment.bodies.empty(); });
+  for (Fragment& fragment : all) fragment.centroid = fragment.centroid / fragment.area;
+  return all;
+}
+
+/// As `grading`, with free fragments and dust: clusters are particles of the sample. The grading of
+/// the intact clusters is grading_before_breakage, for the cells of a cluster have one root.
+template <class Sim>
+[[nodiscard]] Grading fragment_grading(const Sim& sim) {
+  std::vector<SizeFraction> fractions;
+  const auto add = [&](double area) { fractions.push_back({equivalent_diameter(area), area}); };
+  for (const Fragment& fragment : fragments(sim))
+    if (fragment.is_free) add(fragment.area);
+  for (const DustPiece& piece : sim.particles().dust()) add(piece.area);
+  return Grading::of_fractions(std::move(fractions));
+}
+
+/// Contacts with a force between two fragments, by the fragments' numbers.
+template <class Sim>
+[[nodiscard]] std::vector<LoadedContact> loaded_fragment_contacts(const Sim& sim) {
+  const std::vector<std::uint32_t> numbers = fragment_numbers(sim);
+  std::vector<LoadedContact> out;
+  for (const LoadedContact& contact : loaded_contacts(sim.contacts())) {
+    const LoadedContact between{numbers[contact[0]], numbers[contact[1]]};
+    if (between[0] != between[1]) out.push_back(between);
+  }
+  return out;
+}
+
+/// Of every body, whether its fragment is a rattler among the fragments.
+template <class Sim>
+[[nodiscard]] std::vector<bool> fragment_rattlers(const Sim& sim, unsigned fewest = 2) {
+  const std::vector<std::uint32_t> numbers = fragment_numbers(sim);
+  std::vector<bool> is_free(numbers.size(), true);
+  for (BodyIndex i = 0; i < numbers.size(); ++i)
+    if (!sim.particles().body(i).is_free()) is_free[numbers[i]] = false;
+  const std::vector<bool> of_fragments = rattlers(loaded_fragment_contacts(sim), is_free, fewest);
+  std::vector<bool> out;
+  for (const std::uint32_t number : numbers) out.push_back(of_fragments[number]);
+  return out;
+}
+
+}  // namespace riprap
