@@ -32,15 +32,15 @@ Series curve(const ModelRuns& runs, Column column, double factor) {
   return {runs.model->title, shear_tests::mean_curve(curves), runs.model->colour};
 }
 
-// Mean sizes at given shares of the mass.
-Series grading(const ModelRuns& runs, const char* key, const char* name, const char* colour) {
+// Mean sizes at given shares of the mass, at the end.
+Series grading(const ModelRuns& runs) {
   std::vector<std::vector<Vec2>> curves;
   for (const Json& sample : runs.samples) {
     std::vector<Vec2>& points = curves.emplace_back();
-    for (const Json& row : sample[key])
+    for (const Json& row : sample["grading"])
       points.push_back({1e3 * row[0].get<double>(), 100 * row[1].get<double>()});
   }
-  return {name, shear_tests::mean_curve(curves), colour};
+  return {runs.model->title, shear_tests::mean_curve(curves), runs.model->colour};
 }
 
 std::string interval(const ModelRuns& runs, const char* key, double factor, int decimals) {
@@ -78,9 +78,7 @@ riprap::Svg charts(const std::vector<ModelRuns>& runs) {
   for (const auto& [pressure, of_pressure] : by_pressure) {
     Chart chart{title("Grading", pressure), "size [mm]", "finer by mass [%]", {}};
     chart.x_scale = riprap::AxisScale::logarithmic;
-    chart.series.push_back(grading(*of_pressure.front(), "grading_before", "before", "#000000"));
-    for (const ModelRuns* one : of_pressure)
-      chart.series.push_back(grading(*one, "grading_after", one->model->title, one->model->colour));
+    for (const ModelRuns* one : of_pressure) chart.series.push_back(grading(*one));
     all.push_back(std::move(chart));
   }
   return riprap::chart_sheet(all);

@@ -30,6 +30,7 @@ struct Options : run_table::RunOptions {
   std::vector<double> pressures{2e6, 8e6};
   double strain = 0.1;
   double strength = 12e6;
+  unsigned cells = 12;              // of a bonded particle
   std::vector<std::string> models;  // all of them, if empty
   bool quick = false;
 };
@@ -44,13 +45,16 @@ run_table::Task run_task(const Options& o, const RivalModel& model, double press
   const std::string name = std::string(model.name) + "_" + riprap::to_text(1e-6 * pressure) +
                            "MPa_seed_" + std::to_string(seed);
   char key[200];
-  std::snprintf(key, sizeof key, "# %s, %u particles, strain %g, Brazilian strength %g Pa",
-                name.c_str(), o.particles, o.strain, o.strength);
+  std::snprintf(key, sizeof key,
+                "# %s, %u particles, strain %g, Brazilian strength %g Pa, %u cells", name.c_str(),
+                o.particles, o.strain, o.strength, o.cells);
   return {fs::path(o.out) / "runs" / (name + ".json"), key, [o, &model, pressure, seed] {
             Case c{.sample = compacted_sample(o.particles, seed),
                    .pressure = pressure,
                    .strain = o.strain,
-                   .strength = o.strength};
+                   .strength = o.strength,
+                   .cells = o.cells,
+                   .seed = seed};
             c.diameter = mean_diameter(c.sample);
             return model.run(c).dump() + "\n";
           }};
@@ -116,6 +120,9 @@ int main(int argc, char** argv) {
   app.add_option("--strength", o.strength, "Brazilian, of a disc of the mean diameter [Pa]")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+  app.add_option("--cells", o.cells, "of a bonded particle")
+      ->capture_default_str()
+      ->check(CLI::Range(2, 1000));
   run_table::add_options(app, o, "runs");
   app.add_flag("--quick", o.quick, "one small sample to 1 % strain, as a trial");
   command_line::parse_or_exit(app, [&] { app.parse(argc, argv); });

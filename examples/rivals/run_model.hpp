@@ -2,12 +2,16 @@
 #pragma once
 // A biaxial test of a compacted sample with one model, and what is kept of it.
 
+#include <algorithm>
+#include <cstddef>
 #include <ctime>
+#include <vector>
 
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/experiment/brazilian_test.hpp>
 #include <riprap/experiment/curve.hpp>
 #include <riprap/measurement/breakage_indices.hpp>
+#include <riprap/measurement/fragments.hpp>
 #include <riprap/measurement/grading.hpp>
 #include <riprap/simulation/simulation.hpp>
 
@@ -49,32 +53,64 @@ inline Json to_json(const riprap::Grading& grading) {
   return points;
 }
 
+// Breakages so far: of particles, or of clusters, where a fragment comes off.
+template <class Sim>
+std::size_t breakages(const Sim& sim) {
+  std::size_t count = sim.breaks().size();
+  if constexpr (riprap::has_bonds<Sim>)
+    for (const riprap::BondBreak& event : sim.bond_breaks()) count += event.separates;
+  return count;
+}
+
+// An observer that reads fragments of bonded cells as particles.
+struct FragmentRecords {
+  std::size_t breakages_before_shear = 0;
+  std::vector<std::size_t> breakages_in_shear{};
+  std::vector<double> coordination{};  // pairs of fragments that press on each other, per fragment
+
+  template <class Sim>
+  void begin_stage(const riprap::LoadingView<Sim>& view) {
+    if (view.stage == riprap::Stage::shear) breakages_before_shear = breakages(view.sim);
+  }
+  template <class Sim>
+  void record(const riprap::LoadingView<Sim>& view) {
+    breakages_in_shear.push_back(breakages(view.sim) - breakages_before_shear);
+    auto pairs = riprap::loaded_fragment_contacts(view.sim);
+    for (auto& pair : pairs) std::ranges::sort(pair);
+    std::ranges::sort(pairs);
+    const auto repeated = std::ranges::unique(pairs);
+    pairs.erase(repeated.begin(), repeated.end());
+    coordination.push_back(static_cast<double>(pairs.size()) /
+                           static_cast<double>(riprap::fragments(view.sim).size()));
+  }
+};
+
 template <class ModelType>
 Json run_model(const ModelType& model, const Case& c) {
   using namespace riprap;
   const double begun = processor_seconds();
   Simulation sim{model, c.sample, Rock{}};
   Curve curve;
-  const PathResult result = shear_path(c).run(sim, curve);
+  FragmentRecords records;
+  const PathResult result = shear_path(c).run(sim, curve, records);
   const Grading before = grading_before_breakage(sim.particles());
-  const Grading after = grading(sim.particles());
+  const Grading after = fragment_grading(sim);
   Json j;
   j["seconds"] = processor_seconds() - begun;
   j["steps"] = sim.steps();
   j["time_step_s"] = sim.time_step();
   j["bodies"] = sim.particles().size();
   j["reached_target"] = result.stages.back().reached_target;
-  j["breakages_before_shear"] = curve.breakages_before_shear();
+  j["breakages_before_shear"] = records.breakages_before_shear;
   j["peak_sin_phi"] = curve.peak().sin_phi();
   j["hardin_breakage"] = hardin_breakage(before, after);
   j["energy_error"] = curve.points().back().energy_error();
-  j["breakage_loss_share"] =
-      curve.points().back().energy.breakage / curve.points().back().energy.boundary_work;
-  for (const CurvePoint& p : curve.points())
-    j["curve"].push_back({p.axial_strain, p.sin_phi(), p.volumetric_strain,
-                          p.coordination.contacts_per_particle, p.breakages});
-  j["grading_before"] = to_json(before);
-  j["grading_after"] = to_json(after);
+  for (std::size_t k = 0; k < curve.points().size(); ++k) {
+    const CurvePoint& p = curve.points()[k];
+    j["curve"].push_back({p.axial_strain, p.sin_phi(), p.volumetric_strain, records.coordination[k],
+                          records.breakages_in_shear[k]});
+  }
+  j["grading"] = to_json(after);
   return j;
 }
 
