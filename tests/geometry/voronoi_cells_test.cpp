@@ -41,7 +41,7 @@ TEST_CASE("Voronoi cells fill a polygon: areas, common edges, Euler's number") {
     for (int run = 0; run < 12; ++run) {
       const ConvexPolygon polygon = pose.of(random_polygon({}, 1, random));
       for (const unsigned count : {1U, 2U, 7U, 60U}) {
-        const unsigned relaxations = run % 3 * 5;
+        const auto relaxations = static_cast<unsigned>(run % 3 * 5);
         const auto cells = voronoi_cells(
             polygon,
             {.count = count, .relaxations = relaxations, .seed = static_cast<unsigned>(run)});

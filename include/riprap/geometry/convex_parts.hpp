@@ -22,10 +22,10 @@ namespace riprap {
 /// that is not needed, the longest first (S. Hertel, K. Mehlhorn: Fast triangulation of simple
 /// polygons, LNCS 158, 1983). At most four times as many as the fewest that are possible, and at
 /// most 2 r + 1 for r corners of more than 180 degrees; not always the fewest. A convex outline is
-/// one part. A part of more vertices than a ConvexPolygon may have is halved. Vertices are those of
-/// the outline, the same bits in all parts, and parts meet along whole edges: a part has no vertex
-/// within an edge of another. Throws InvalidInput as `triangulate` does, and for a part thinner
-/// than a ConvexPolygon may be.
+/// one part. A part of more vertices than a ConvexPolygon may have is cut again. Vertices are those
+/// of the outline, the same bits in all parts, and parts meet along whole edges: a part has no
+/// vertex within an edge of another. Throws InvalidInput as `triangulate` does, and for a part
+/// thinner than a ConvexPolygon may be.
 [[nodiscard]] std::vector<ConvexPolygon> convex_parts(const Outline& outline);
 
 }  // namespace riprap

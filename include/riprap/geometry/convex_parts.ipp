@@ -187,17 +187,16 @@ class JoinedParts {
     for (const std::uint32_t v : part) out.push_back(ring_[v]);
     return out;
   }
-  /// Adds a part; one of more vertices than a polygon may have is halved until it has fewer.
-  void append(const std::vector<std::uint32_t>& part, std::vector<ConvexPolygon>& out) const {
-    if (part.size() <= max_polygon_vertices) {
-      out.emplace_back(vertices(part));
-      return;
+  /// Adds a part; of one with more vertices than a polygon may have about half that many are cut
+  /// off, until it has no more.
+  void append(std::vector<std::uint32_t> part, std::vector<ConvexPolygon>& out) const {
+    constexpr std::ptrdiff_t half = max_polygon_vertices / 2;
+    while (part.size() > max_polygon_vertices) {
+      out.emplace_back(vertices({part.begin(), part.begin() + half + 1}));
+      // The ends of the cut stay.
+      part.erase(part.begin() + 1, part.begin() + half);
     }
-    const auto middle = part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);
-    append({part.begin(), middle + 1}, out);
-    std::vector<std::uint32_t> rest(middle, part.end());
-    rest.push_back(part.front());
-    append(rest, out);
+    out.emplace_back(vertices(part));
   }
   /// Does a ring turn left at a vertex, clearly more than a ConvexPolygon has to?
   [[nodiscard]] bool turns_left(std::uint32_t before, std::uint32_t at, std::uint32_t after) const {
