@@ -241,6 +241,19 @@ TEST_CASE("energy.csv has every term of the balance and what the terms leave ove
                       1e-14));
 }
 
+TEST_CASE("with bonds energy.csv has one more column, what they have lost") {
+  const Curve curve = uneven_curve(2);
+  CHECK(energy_csv(Curve{}, true).ends_with(",unclosed,bonds\n"));
+  const Table table(energy_csv(curve, true));
+  CHECK(table.number(1, "bonds") == curve.points()[1].energy.bonds);
+  CHECK(table.number(1, "unclosed") == Table(energy_csv(curve)).number(1, "unclosed"));
+  // A point as of a bonded sample.
+  CurvePoint point;
+  point.energy.bonds = 0.25;
+  CHECK(energy_columns(true).back().first == "bonds");
+  CHECK(energy_columns(true).back().second(point) == "0.25");
+}
+
 TEST_CASE("breakages.csv lists particle, time, cause, place and pieces of every break") {
   const test::StillSample sample;
   auto view = test::view_of(sample);

@@ -215,6 +215,71 @@ TEST_CASE("bonded bodies have no contact, and get it when the bond breaks") {
   CHECK(sim.force_on(1).force.x() == near_relative(force, 1e-6));
 }
 
+namespace {
+
+// A cell pressed on a held one with `pressure`, and slid along it until the bond fails in shear.
+template <ContactLaw Law>
+void shear_under_pressure(const Law& contact, bool begins_with_less) {
+  BrittleBond law = strong;
+  law.cohesion = 1e6;
+  law.friction = 0.5;
+  const double pressure = 2e6;
+  Assembly assembly = row(2);
+  Simulation sim{Model{}
+                     .criterion(NeverFails{})
+                     .boundary(NoBoundary{})
+                     .narrow_phase(OverlapChord{})
+                     .bond_law(law)
+                     .contact_law(contact),
+                 assembly, rock_of(density)};
+  sim.set_load(1, {-pressure * area, 0});
+  for (int n = 0; n < 3000; ++n) sim.step();
+  EnergyLedger ledger;
+  ledger.open(sim);
+  // Pushed at the height of its centroid: the far end of the edge is relieved by the moment.
+  double push = 0;
+  double pressing = 0;
+  double stored = 0;
+  while (sim.bond_breaks().empty() && push < 1e6) {
+    push += 2;
+    sim.set_load(1, {-pressure * area, push}, -0.5 * side * push);
+    pressing = sim.bond_force_on(1).force.x();
+    stored = stored_energy_of(sim);
+    sim.step(ledger);
+  }
+  REQUIRE(sim.bond_breaks().size() == 1);
+  const BondBreak& event = sim.bond_breaks()[0];
+  CHECK(event.failure == BondFailure::shear);
+  // The moment of the load makes the shear uniform: cohesion + friction * pressure.
+  CHECK(push == near_relative((1e6 + 0.5 * pressure) * area, 5e-3));
+  CHECK(event.energy + stored_energy_of(sim) + sim.contacts().friction_loss() ==
+        near_relative(stored, 5e-3));
+  if (begins_with_less) {
+    CHECK(event.energy > 0);
+    CHECK(stored_energy(sim.contacts()) <= stored);
+    CHECK(sim.force_on(1).force.x() <= pressing * 1.01);
+    CHECK(sim.force_on(1).force.x() > 0);
+    // Coulomb's friction is left of the shear, or what the bond's energy allows.
+    CHECK(std::abs(sim.force_on(1).force.y()) <= 0.5 * sim.force_on(1).force.x() * 1.001);
+  }
+  const EnergyTerms terms = ledger.terms(sim);
+  CHECK(terms.bonds == near_relative(event.energy, 1e-12));
+  CHECK(std::abs(terms.law_residual) <= 5e-3 * stored);
+}
+
+}  // namespace
+
+TEST_CASE("a bond that fails in shear under pressure leaves its contact no more than it had") {
+  // Softer and stiffer than the bond, whose stiffness is 2e10 N/m: with the offset of the law the
+  // contact never begins with more.
+  for (const double stiffness : {1e9, 2e10, 2e11})
+    shear_under_pressure(
+        EnergyConservingSpring{.normal_stiffness = stiffness, .tangential_stiffness = stiffness},
+        true);
+  // Without a history the contact has the whole force of the overlap; the difference is booked.
+  for (const double stiffness : {1e9, 1e11}) shear_under_pressure(springs(stiffness, 0.5), false);
+}
+
 TEST_CASE("a run whose bonds are all broken at the start is one without bonds, to the byte") {
   Assembly bonded = of({{rectangle({0, -0.1}, 2, 0.1), Motion::wall}});
   for (int i = 0; i < 4; ++i)

@@ -47,14 +47,15 @@ template <class Row>
 [[nodiscard, gnu::cold]] CsvColumns<CurvePoint> curve_columns();
 
 /// Columns of the energy ledger of shear, a row per record, in J.
-[[nodiscard, gnu::cold]] CsvColumns<CurvePoint> energy_columns();
+/// @param with_bonds adds what was lost in bonds, for a model with a bond law
+[[nodiscard, gnu::cold]] CsvColumns<CurvePoint> energy_columns(bool with_bonds = false);
 
 /// Columns of the breaks of a biaxial test. The line is given by a point [m] and an angle [rad].
 [[nodiscard, gnu::cold]] CsvColumns<BiaxialBreak> breakage_columns();
 
 /// The whole tables.
 [[nodiscard, gnu::cold]] std::string curve_csv(const Curve& curve);
-[[nodiscard, gnu::cold]] std::string energy_csv(const Curve& curve);
+[[nodiscard, gnu::cold]] std::string energy_csv(const Curve& curve, bool with_bonds = false);
 [[nodiscard, gnu::cold]] std::string breakages_csv(const Curve& curve);
 
 /// Writes curve_csv to a file; throws SimulationError if that fails.

@@ -78,7 +78,7 @@ RIPRAP_INLINE CsvColumns<CurvePoint> curve_columns() {
   return internal::named_columns(cells);
 }
 
-RIPRAP_INLINE CsvColumns<CurvePoint> energy_columns() {
+RIPRAP_INLINE CsvColumns<CurvePoint> energy_columns(bool with_bonds) {
   using internal::cell;
   using P = CurvePoint;
   static constexpr internal::NamedCell<CurvePoint> cells[]{
@@ -94,7 +94,9 @@ RIPRAP_INLINE CsvColumns<CurvePoint> energy_columns() {
       {"law_residual", [](const P& p) { return cell(p.energy.law_residual); }},
       {"unclosed", [](const P& p) { return cell(p.energy.unclosed()); }},
   };
-  return internal::named_columns(cells);
+  CsvColumns<CurvePoint> columns = internal::named_columns(cells);
+  if (with_bonds) columns.emplace_back("bonds", [](const P& p) { return cell(p.energy.bonds); });
+  return columns;
 }
 
 RIPRAP_INLINE CsvColumns<BiaxialBreak> breakage_columns() {
@@ -131,8 +133,8 @@ RIPRAP_INLINE std::string curve_csv(const Curve& curve) {
   return csv_text(curve_columns(), curve.points());
 }
 
-RIPRAP_INLINE std::string energy_csv(const Curve& curve) {
-  return csv_text(energy_columns(), curve.points());
+RIPRAP_INLINE std::string energy_csv(const Curve& curve, bool with_bonds) {
+  return csv_text(energy_columns(with_bonds), curve.points());
 }
 
 RIPRAP_INLINE std::string breakages_csv(const Curve& curve) {

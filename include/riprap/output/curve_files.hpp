@@ -57,13 +57,15 @@ class CurveFiles {
   /// The folder must exist, and the curve must outlive the observer.
   /// @param old what becomes of files that are there; those of a run that goes on are kept until a
   /// checkpoint has been read
+  /// @param with_bonds a column of what was lost in bonds, for a model with a bond law
   /// Throws SimulationError if a file cannot be written.
   CurveFiles(const Curve& curve, const std::filesystem::path& folder,
-             OldFile old = OldFile::replace)
+             OldFile old = OldFile::replace, bool with_bonds = false)
       : curve_(curve), points_((folder / "curve.csv").string(), curve_columns(), old),
-        energy_((folder / "energy.csv").string(), energy_columns(), old),
+        energy_((folder / "energy.csv").string(), energy_columns(with_bonds), old),
         breakages_((folder / "breakages.csv").string(), breakage_columns(), old) {}
-  CurveFiles(const Curve&&, const std::filesystem::path&, OldFile = OldFile::replace) = delete;
+  CurveFiles(const Curve&&, const std::filesystem::path&, OldFile = OldFile::replace,
+             bool = false) = delete;
 
   template <class View>
   void record(const View& /*view*/) {
