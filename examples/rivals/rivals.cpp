@@ -24,7 +24,7 @@ using namespace rivals;
 namespace {
 
 struct Options : run_table::RunOptions {
-  unsigned particles = 200;
+  unsigned particles = 120;
   unsigned samples = 8;
   std::uint64_t seed = 1;  // of the first sample
   std::vector<double> pressures{2e6, 8e6};

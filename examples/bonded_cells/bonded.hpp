@@ -7,7 +7,7 @@
 #include <riprap/bond/bond_law/brittle_bond.hpp>
 #include <riprap/particle/assembly.hpp>
 
-namespace rivals {
+namespace bonded_cells {
 
 // Cuts every free particle into Voronoi cells that are bonded along their edges. Particle k has the
 // seed `seed` + k.
@@ -29,4 +29,4 @@ double brazilian_strength(const BondedDisc& disc, const riprap::BrittleBond& bon
 // The two are nearly proportional: four corrections are enough for 1 %.
 riprap::BrittleBond calibrated_bond(const BondedDisc& disc, double strength);
 
-}  // namespace rivals
+}  // namespace bonded_cells

@@ -12,7 +12,7 @@
 #include <riprap/particle/bond_common_edges.hpp>
 #include <riprap/simulation/simulation.hpp>
 
-namespace rivals {
+namespace bonded_cells {
 
 using namespace riprap;
 
@@ -91,4 +91,4 @@ BrittleBond calibrated_bond(const BondedDisc& disc, double strength) {
   return bond;
 }
 
-}  // namespace rivals
+}  // namespace bonded_cells
