@@ -18,9 +18,10 @@
 #include <riprap/measurement/fragments.hpp>
 #include <riprap/output/csv.hpp>
 #include <riprap/output/file.hpp>
+#include <riprap/particle/bonded_cells.hpp>
 #include <riprap/riprap.hpp>
 
-#include "../bonded_cells/bonded.hpp"
+#include "../bonded_disc/bonded_disc.hpp"
 #include "../command_line/option_table.hpp"
 #include "../command_line/program.hpp"
 #include "../run_table/progress_line.hpp"
@@ -133,17 +134,17 @@ Shot shoot_elements(const Options& o, double speed, std::uint64_t seed) {
 BrittleBond bond_of(const Options& o) {
   const double strength = BrazilianTest{.diameter = o.diameter, .thickness = o.diameter}.strength(
       common_model(o).criterion(o.criterion), Rock{});
-  return bonded_cells::calibrated_bond(
+  return bonded_disc::calibrated_bond(
       {.diameter = o.diameter, .thickness = o.diameter, .cells = o.cells}, strength);
 }
 
 Shot shoot_bonded(const Options& o, double speed, std::uint64_t seed) {
   static const BrittleBond bond = bond_of(o);
-  return shoot(
-      o, speed, seed,
-      Simulation{common_model(o).criterion(NeverFails{}).bond_law(bond),
-                 bonded_cells::bonded(particle_and_plate(o, speed, seed), o.cells, seed << 32),
-                 Rock{}});
+  return shoot(o, speed, seed,
+               Simulation{common_model(o).criterion(NeverFails{}).bond_law(bond),
+                          bonded_cells(particle_and_plate(o, speed, seed),
+                                       {.count = o.cells, .seed = seed << 32}),
+                          Rock{}});
 }
 
 using Shots = std::vector<Shot>;  // at one speed

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "bonded.hpp"
+#include "bonded_disc.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -8,11 +8,10 @@
 
 #include <riprap/breakage/criterion/never_fails.hpp>
 #include <riprap/dynamics/boundary/no_boundary.hpp>
-#include <riprap/geometry/voronoi_cells.hpp>
-#include <riprap/particle/bond_common_edges.hpp>
+#include <riprap/particle/bonded_cells.hpp>
 #include <riprap/simulation/simulation.hpp>
 
-namespace bonded_cells {
+namespace bonded_disc {
 
 using namespace riprap;
 
@@ -25,9 +24,9 @@ double peak_force(const BondedDisc& d, const BrittleBond& bond, std::uint64_t se
   std::vector<Vec2> corners;
   for (unsigned k = 0; k < sides; ++k)
     corners.push_back(Rotation::from_angle(2 * std::numbers::pi * k / sides) * Vec2{0, r});
-  Assembly assembly = bonded(
+  Assembly assembly = bonded_cells(
       {.thickness = d.thickness, .particles = {{.polygon = ConvexPolygon(std::move(corners))}}},
-      d.cells, seed);
+      {.count = d.cells, .seed = seed});
   const auto plate = [&](double side) {
     const double low = side > 0 ? r : -2 * r;
     return PlacedParticle{ConvexPolygon{{-r, low}, {r, low}, {r, low + r}, {-r, low + r}},
@@ -54,27 +53,6 @@ double peak_force(const BondedDisc& d, const BrittleBond& bond, std::uint64_t se
 
 }  // namespace
 
-Assembly bonded(const Assembly& sample, unsigned cells, std::uint64_t seed) {
-  Assembly out = sample;
-  out.particles.clear();
-  for (std::size_t k = 0; k < sample.particles.size(); ++k) {
-    const PlacedParticle& particle = sample.particles[k];
-    if (particle.motion != Motion::free) {
-      out.particles.push_back(particle);
-      continue;
-    }
-    std::vector<std::size_t> places;
-    for (const ConvexPolygon& cell :
-         voronoi_cells(particle.polygon, {.count = cells, .seed = seed + k})) {
-      places.push_back(out.particles.size());
-      out.particles.push_back(particle);
-      out.particles.back().polygon = cell;
-    }
-    bond_common_edges(out, places);
-  }
-  return out;
-}
-
 double brazilian_strength(const BondedDisc& disc, const BrittleBond& bond) {
   double sum = 0;
   for (unsigned k = 0; k < disc.discs; ++k) sum += peak_force(disc, bond, k + 1);
@@ -91,4 +69,4 @@ BrittleBond calibrated_bond(const BondedDisc& disc, double strength) {
   return bond;
 }
 
-}  // namespace bonded_cells
+}  // namespace bonded_disc

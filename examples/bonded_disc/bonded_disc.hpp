@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
-// Particles of bonded cells, and the Brazilian strength of a disc of them.
-
-#include <cstdint>
+// The Brazilian strength of a disc of bonded cells.
 
 #include <riprap/bond/bond_law/brittle_bond.hpp>
-#include <riprap/particle/assembly.hpp>
 
-namespace bonded_cells {
-
-// Cuts every free particle into Voronoi cells that are bonded along their edges. Particle k has the
-// seed `seed` + k.
-riprap::Assembly bonded(const riprap::Assembly& sample, unsigned cells, std::uint64_t seed);
+namespace bonded_disc {
 
 struct BondedDisc {
   double diameter = 0.016;   // [m]
@@ -29,4 +22,4 @@ double brazilian_strength(const BondedDisc& disc, const riprap::BrittleBond& bon
 // The two are nearly proportional: four corrections are enough for 1 %.
 riprap::BrittleBond calibrated_bond(const BondedDisc& disc, double strength);
 
-}  // namespace bonded_cells
+}  // namespace bonded_disc
