@@ -48,7 +48,9 @@ struct Bond {
   BodyIndex a = 0;  ///< a < b
   BodyIndex b = 0;
   [[no_unique_address]] Image image{};  ///< the copy of b that is joined to a, in a periodic domain
-  double length = 0;                    ///< of the edge [m]
+  MaterialIndex material_a = 0;         ///< of the bodies
+  MaterialIndex material_b = 0;
+  double length = 0;  ///< of the edge [m]
   BondedEdge on_a{};
   BondedEdge on_b{};
   BondView<State> view{};  ///< displacements, and states of the integration points
@@ -78,12 +80,24 @@ struct Bond {
     visit("a", self.a);
     visit("b", self.b);
     visit("image", self.image);
+    visit("material_a", self.material_a);
+    visit("material_b", self.material_b);
     visit("length", self.length);
     visit("on_a", self.on_a);
     visit("on_b", self.on_b);
     visit("states", self.view.states);
   }
 };
+
+/// The law of a bond: that of its two materials, where the law of all bonds has one for them,
+/// `law.of(material_a, material_b)`, the same in either order.
+template <class BondType, BondLaw Law>
+[[nodiscard]] const auto& law_of(const Law& law, const BondType& bond) {
+  if constexpr (requires { law.of(bond.material_a, bond.material_b); })
+    return law.of(bond.material_a, bond.material_b);
+  else
+    return law;
+}
 
 /// From b to the image of b that is joined to a [m].
 template <class BondType, class Domain>
@@ -124,10 +138,12 @@ void find_displacements(BondType& bond, const Body& a, const Body& b, const Vec2
 }
 
 /// Tractions and forces of a bond at the displacements found, and whether it fails.
+/// @param all the law of all bonds
 /// @param thickness of the bodies [m]
 /// @return energy lost [J]
 template <class BondType, BondLaw Law>
-double find_tractions(BondType& bond, const Law& law, double thickness) {
+double find_tractions(BondType& bond, const Law& all, double thickness) {
+  const auto& law = law_of(all, bond);
   const double area = 0.5 * bond.length * thickness;
   const Vec2 tangent = perpendicular(bond.normal);
   double loss = 0;
@@ -143,7 +159,8 @@ double find_tractions(BondType& bond, const Law& law, double thickness) {
 
 /// What a bond can give back [J].
 template <class BondType, BondLaw Law>
-[[nodiscard]] double stored_energy(const BondType& bond, const Law& law, double thickness) {
+[[nodiscard]] double stored_energy(const BondType& bond, const Law& all, double thickness) {
+  const auto& law = law_of(all, bond);
   const double area = 0.5 * bond.length * thickness;
   return area * (law.stored_energy(bond.view.points[0], bond.view.states[0]) +
                  law.stored_energy(bond.view.points[1], bond.view.states[1]));

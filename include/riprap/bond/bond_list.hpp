@@ -53,14 +53,16 @@ class BondList {
 
   /// Tractions at the present poses. Bonds that fail are moved to `failed`, in order; the others
   /// are summed over each body.
+  /// @param may_fail false: all bonds hold, and their states stay as they are
   template <Execution E = Serial>
   void update(const Particles& particles, const Domain& domain, std::vector<BondType>& failed,
-              const E& execution = {}) {
+              const E& execution = {}, bool may_fail = true) {
     losses_.resize(std::max(losses_.size(), task_count(bonds_.size())));
     for_each_task(execution, bonds_.size(),
                   [&](std::size_t task, std::size_t first, std::size_t last) {
                     for (std::size_t k = first; k < last; ++k) {
-                      const double loss = evaluate(bonds_[k], particles, domain);
+                      const double loss = may_fail ? evaluate(bonds_[k], particles, domain)
+                                                   : hold(bonds_[k], particles, domain);
                       if (loss != 0) losses_[task].add(loss);
                     }
                   });
@@ -200,6 +202,8 @@ class BondList {
     const Body& a = particles.body(bond.a);
     const Body& b = particles.body(bond.b);
     const Vec2 offset = bond_offset(bond, domain);
+    bond.material_a = particles.material(bond.a);
+    bond.material_b = particles.material(bond.b);
     const Vec2 edge = ends[1] - ends[0];
     bond.length = edge.norm();
     Vec2 normal = -perpendicular(edge) / bond.length;
@@ -231,6 +235,14 @@ class BondList {
     find_displacements(bond, particles.body(bond.a), particles.body(bond.b),
                        bond_offset(bond, domain));
     return find_tractions(bond, law_, particles.thickness());
+  }
+  // The same with the state as it is, whatever the displacement.
+  double hold(BondType& bond, const Particles& particles, const Domain& domain) const {
+    const auto states = bond.view.states;
+    (void)evaluate(bond, particles, domain);
+    bond.view.states = states;
+    bond.failure = BondFailure::none;
+    return 0;
   }
   void changed(std::size_t bodies) {
     index_.build(bonds_, bodies);

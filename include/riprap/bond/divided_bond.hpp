@@ -62,6 +62,7 @@ void hand_to_piece(BondType& bond, const DividedBody& broken, BodyIndex piece, c
   if (bond.a < bond.b) return;
   std::swap(bond.a, bond.b);
   std::swap(bond.on_a, bond.on_b);
+  std::swap(bond.material_a, bond.material_b);
   bond.on_a.normal = -bond.on_a.normal;
   bond.on_b.normal = -bond.on_b.normal;
   if constexpr (requires { -bond.image; }) bond.image = -bond.image;

@@ -19,8 +19,8 @@ namespace riprap {
 /// @param tolerance distance of the two edges, and least length of the common part, over the
 /// circumradius of the smaller particle [-]
 /// @return the number of bonds that were added
-/// Throws InvalidInput for a place that is not in the assembly and for a tolerance that is not
-/// above 0 and below 0.1.
+/// Throws InvalidInput for a place that is not in the assembly, for a tolerance that is not above 0
+/// and below 0.1, and for two particles that are bonded already.
 std::size_t bond_common_edges(Assembly& assembly, std::span<const std::size_t> particles,
                               double tolerance = 1e-6);
 

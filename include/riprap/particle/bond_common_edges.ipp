@@ -121,6 +121,11 @@ bond_common_edges(Assembly& assembly, std::span<const std::size_t> particles, do
   std::stable_sort(bonds.begin(), bonds.end(), [](const PlacedBond& p, const PlacedBond& q) {
     return std::tuple(p.a, p.b, p.image) < std::tuple(q.a, q.b, q.image);
   });
+  const auto of = [](const PlacedBond& b) { return std::tuple(b.a, b.b, b.image); };
+  for (const PlacedBond& known : assembly.bonds)
+    if (std::ranges::binary_search(bonds, of(known), {}, of))
+      throw InvalidInput("bond_common_edges: particles " + std::to_string(known.a) + " and " +
+                         std::to_string(known.b) + " are bonded already");
   assembly.bonds.insert(assembly.bonds.end(), bonds.begin(), bonds.end());
   return bonds.size();
 }

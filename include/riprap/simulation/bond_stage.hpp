@@ -44,7 +44,7 @@ struct BondStage {
   static constexpr NoBondForces wrenches() { return {}; }
   static void add_image_work(BodyIndex, BodyIndex, const Domain&, double, ExactSum&) {}
   template <class Contacts, Execution E>
-  static void update(const Particles&, Contacts&, const Moment&, const E&) {}
+  static void update(const Particles&, Contacts&, const Moment&, const E&, bool) {}
   static void add_body(const Particles&) {}
   static void divide(const DividedBody&, const Particles&, const Domain&, const Moment&) {}
   static void remove(BodyIndex, const Particles&, auto&) {}
@@ -86,11 +86,12 @@ struct BondStage<Law, Domain> {
 
   /// Tractions at the present poses. Bonds that fail are gone, and the contacts of their pairs, at
   /// the same poses, begin with the next update of the contacts.
+  /// @param may_fail false: none does
   template <class Contacts, Execution E>
-  void update(const Particles& particles, Contacts& contacts, const Moment& now,
-              const E& execution) {
+  void update(const Particles& particles, Contacts& contacts, const Moment& now, const E& execution,
+              bool may_fail) {
     gone_.clear();
-    bonds.update(particles, contacts.domain(), gone_, execution);
+    bonds.update(particles, contacts.domain(), gone_, execution, may_fail);
     if (!gone_.empty()) part(particles, contacts, now);
   }
   /// Breaks the bonds of which `is_broken(bond)` is true.
@@ -188,16 +189,16 @@ struct BondStage<Law, Domain> {
       event_of_.push_back(static_cast<std::size_t>(&bond - gone_.data()));
     }
     FormerBond& left = former_.back().bond;
+    const auto& law = law_of(bonds.law(), bond);
     const double area = 0.5 * bond.length * thickness;
     for (std::size_t g = 0; g < 2; ++g) {
       const auto& [opening, sliding] = bond.view.points[g];
       const auto& state = bond.view.states[g];
       left.normal_force += area * std::max(0.0, bond.tractions[g].normal);
       left.normal_energy +=
-          area * bonds.law().stored_energy(BondDisplacement{std::min(opening, 0.0), 0}, state);
+          area * law.stored_energy(BondDisplacement{std::min(opening, 0.0), 0}, state);
       left.tangential_force += area * bond.tractions[g].tangential;
-      left.tangential_energy +=
-          area * bonds.law().stored_energy(BondDisplacement{0, sliding}, state);
+      left.tangential_energy += area * law.stored_energy(BondDisplacement{0, sliding}, state);
     }
   }
 

@@ -38,6 +38,7 @@ template <class ModelType>
   assembly.validate();
   rocks.validate();
   internal::require_all_materials("contact law", model.contact_model.law, rocks);
+  internal::require_all_materials("bond law", model.contact_model.bond_law, rocks);
   internal::require_all_materials("criterion", model.breakage_model.criterion, rocks);
   for (std::size_t i = 0; i < assembly.particles.size(); ++i)
     require_material(static_cast<ParticleId>(i), assembly.particles[i].material, rocks.size());
