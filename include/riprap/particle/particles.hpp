@@ -92,7 +92,9 @@ class Particles {
   [[nodiscard]] std::optional<BodyIndex> find(ParticleId id) const;
 
   /// Counts a piece of `area` [m^2] of a particle that breaks, which is not simulated.
-  void add_dust(const Ancestry& parent, double area) { dust_.push_back({parent.root, area}); }
+  void add_dust(const Ancestry& parent, double area, MaterialIndex material = 0) {
+    dust_.push_back({parent.root, area, material});
+  }
   [[nodiscard]] const std::vector<DustPiece>& dust() const { return dust_; }
   [[nodiscard]] double dust_area() const {  ///< [m^2]
     double sum = 0;
