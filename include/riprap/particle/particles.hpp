@@ -51,8 +51,8 @@ class Particles {
   [[nodiscard]] MaterialIndex material(BodyIndex i) const { return materials_[i]; }
   /// Number of materials.
   [[nodiscard]] std::size_t materials() const { return densities_.size(); }
-  /// Mass over volume of all bodies but walls and platens, of all where there are no others; that
-  /// of the material where there is one [kg/m^3].
+  /// Mass over volume of all bodies but walls and platens, of all where there are no others
+  /// [kg/m^3]; where they have one density it is that, to the last bit.
   [[nodiscard]] double mean_density() const;
 
   [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
