@@ -11,7 +11,7 @@
 #include <riprap/simulation/simulation.hpp>
 using namespace riprap;
 
-struct Witness {  // of bonds that break, and of stones that fall apart
+struct BreakCounter {  // of bonds that break, and of stones that fall apart
   int bonds = 0, separations = 0;
   void on_bond_break(const auto& /*sim*/, const BondBreak& event) {
     ++bonds;
@@ -38,15 +38,15 @@ int main() {
 
   EnergyLedger ledger;
   ledger.open(sim);
-  Witness witness;
-  while (sim.time() < 2e-3) sim.step(ledger, witness);
+  BreakCounter counter;
+  while (sim.time() < 2e-3) sim.step(ledger, counter);
   const EnergyTerms energy = ledger.terms(sim);
-  std::printf("%d bonds broken, %d separations, %.2g J lost in bonds\n", witness.bonds,
-              witness.separations, energy.bonds);
+  std::printf("%d bonds broken, %d separations, %.2g J lost in bonds\n", counter.bonds,
+              counter.separations, energy.bonds);
   for (const Fragment& fragment : fragments(sim))
     std::printf("fragment %u of stone %u: %zu cells, %.3g m^2\n", fragment.number, fragment.root,
                 fragment.bodies.size(), fragment.area);
   const std::size_t stones = fragments(sim).size() - 1;  // beside the floor
-  const bool counted = stones == 1 + static_cast<std::size_t>(witness.separations);
-  return counted && witness.bonds > 0 && energy.bonds > 0 ? 0 : 1;
+  const bool counted = stones == 1 + static_cast<std::size_t>(counter.separations);
+  return counted && counter.bonds > 0 && energy.bonds > 0 ? 0 : 1;
 }

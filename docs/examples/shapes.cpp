@@ -32,9 +32,9 @@ int main() {
 
   // The curve of the sample, of whole stones: their cells are particles of one cluster each.
   std::vector<SizeFraction> fractions;
-  for (const std::vector<std::uint32_t>& cluster : sample.clusters()) {
+  for (const std::vector<std::size_t>& cluster : sample.clusters()) {
     double area = 0;
-    for (const std::uint32_t i : cluster)
+    for (const std::size_t i : cluster)
       area += polygon_area(sample.assembly.particles[i].polygon.ring());
     fractions.push_back({equivalent_diameter(area), area});
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <riprap/bond/bond_law/brittle_bond.hpp>
+#include <riprap/bond/bond_law/softening_bond.hpp>
 #include <riprap/bond/bond_list.hpp>
 #include <riprap/geometry/cut.hpp>
 #include <support/near.hpp>
@@ -66,7 +67,7 @@ TEST_CASE("an edge that the crack crosses is divided; force, moment and energy s
 
   // Along axis 1 through the middle: the bond with 1 is divided, that with 2 is the left piece's.
   const DividedBody broken = three.cut_first({{0, 0.1}, {1, 0}});
-  CHECK(three.list.divide(broken, three.particles, {}, three.lost));
+  three.list.divide(broken, three.particles, {}, three.lost);
   CHECK(three.lost.empty());
   REQUIRE(three.list.size() == 3);
   CHECK(three.list[0].a == 0);
@@ -87,14 +88,63 @@ TEST_CASE("an edge that the crack crosses is divided; force, moment and energy s
 
 TEST_CASE("bonds of a piece that is dust are lost, with their part of an edge") {
   Three three;
+  const double energy = three.list.stored_energy(thickness);
   const DividedBody broken = three.cut_first({{0, 0.1}, {1, 0}}, true);
-  CHECK(three.list.divide(broken, three.particles, {}, three.lost));
+  three.list.divide(broken, three.particles, {}, three.lost);
   REQUIRE(three.list.size() == 1);
   CHECK(three.list[0].b == 1);
   CHECK(three.list[0].length == near_relative(0.6, 0.03));
   CHECK(three.lost.size() == 2);
+  // What is lost and what is left had the whole energy.
+  double of_all = three.list.stored_energy(thickness);
+  for (const auto& bond : three.lost) of_all += stored_energy(bond, three.list.law(), thickness);
+  CHECK(of_all == near_relative(energy, 1e-10));
+  // The part above 0.09 is lost, with its middle at 0.295: half-way between the copies that have
+  // turned by 0.02 and 0.01 about points 0.5 to the left and right.
+  const auto& upper = three.lost[0];
+  CHECK(upper.length == near_relative(0.4, 0.03));
+  CHECK((upper.middle(broken.whole) - Vec2{0.5 - 0.015 * 0.295, 0.295 + 0.0025}).norm() <= 5e-4);
   // Nothing of it any more.
   DividedBody other = broken;
   other.parent = 7;
-  CHECK_FALSE(three.list.divide(other, three.particles, {}, three.lost));
+  three.list.divide(other, three.particles, {}, three.lost);
+  CHECK(three.lost.size() == 2);
+  CHECK(three.list.size() == 1);
+}
+
+TEST_CASE("damage that begins at the integration points of a part is booked") {
+  // Opened at its upper end, above the strength there, below it at both integration points.
+  const SofteningBond law{.normal_stiffness = 1e10,
+                          .tangential_stiffness = 1e10,
+                          .tensile_strength = 1e6,
+                          .shear_strength = 1e7,
+                          .fracture_energy = 1e4};
+  BondList<SofteningBond, UnboundedDomain> list{law};
+  Particles particles{thickness, 2000};
+  particles.add(rectangle({0, 0}, 1, 1), Motion::free);
+  particles.add(rectangle({1, 0}, 1, 1), Motion::free);
+  list.add(std::vector<PlacedBond>{{.a = 0, .b = 1, .ends = {{{0.5, -0.5}, {0.5, 0.5}}}}},
+           particles, {});
+  particles.body(1).rotation = Rotation::from_angle(-2.4e-4);
+  particles.update_ring(1);
+  std::vector<BondList<SofteningBond, UnboundedDomain>::BondType> lost;
+  list.update(particles, {}, lost);
+  CHECK(list.loss() == 0);
+  const Body whole = particles.body(0);
+  const Ancestry ancestry = particles.ancestry(0);
+  const Line line{{0, 0.2}, {1, 0}};
+  const auto rings = cut(particles.ring(0), line);
+  REQUIRE(rings.has_value());
+  particles.replace(0, ConvexPolygon{rings->left}, Motion::free, ancestry);
+  const BodyIndex second = particles.add(ConvexPolygon{rings->right}, Motion::free, &ancestry);
+  list.divide({whole, 0, line, {BodyIndex{0}, second}}, particles, {}, lost);
+  REQUIRE(list.size() == 2);
+  double expected = 0;
+  for (const auto& bond : list)
+    for (const BondDisplacement& at : bond.view.points) {
+      SofteningBond::State intact;
+      expected += 0.5 * bond.length * thickness * law(at, intact).loss;
+    }
+  CHECK(expected > 0);
+  CHECK(list.loss() == near_relative(expected, 1e-12));
 }

@@ -58,7 +58,7 @@ void check_restarts(const ModelType& model, bool breaks) {
   CHECK(whole.breaks().empty() != breaks);
   const test::TemporaryFile file;
   const std::uint64_t broken = whole.bond_breaks()[2].step;
-  for (const std::uint64_t stop : {std::uint64_t{5}, broken, broken + 1, last - 500}) {
+  for (const std::uint64_t stop : {std::uint64_t{5}, broken - 1, broken, last - 500}) {
     auto first = start(2);
     EnergyLedger of_first;
     of_first.open(first);

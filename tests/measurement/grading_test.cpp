@@ -148,7 +148,7 @@ TEST_CASE("the grading of one material has its particles, pieces and dust alone"
     p->add(test::rectangle(1e-3, 1e-3), Motion::free, nullptr, material);
     const Ancestry first = p->ancestry(i);
     p->replace(i, test::rectangle(3.5e-3, 1e-3), Motion::free, first);
-    p->add_dust(first, 0.5e-6);
+    p->add_dust(first, 0.5e-6, material);
   }
   both.add_dust(both.ancestry(0), 0.1e-6);
   const auto same = [](const Grading& p, const Grading& q) {
@@ -161,6 +161,22 @@ TEST_CASE("the grading of one material has its particles, pieces and dust alone"
   CHECK_FALSE(same(grading(both), grading(alone)));
   CHECK(grading_before_breakage(both, 0).points().size() == 2);
   CHECK_THROWS_AS((void)grading(both, 2), InvalidInput);
+}
+
+TEST_CASE("a cluster of cells of two materials: dust counts with its own cell's") {
+  Particles particles(0.016, std::vector<double>{2500, 2000});
+  for (const MaterialIndex material : {MaterialIndex{0}, MaterialIndex{1}}) {
+    const BodyIndex i = particles.add(test::rectangle(2e-3, 1e-3), Motion::free, nullptr, material);
+    particles.set_root(i, 0);
+  }
+  const Ancestry first = particles.ancestry(0);
+  particles.replace(0, test::rectangle(1.5e-3, 1e-3), Motion::free, first);
+  particles.add_dust(first, 0.5e-6, 0);
+  for (const MaterialIndex material : {MaterialIndex{0}, MaterialIndex{1}})
+    CHECK(grading_before_breakage(particles, material).largest() ==
+          near_relative(equivalent_diameter(2e-6), round_off));
+  CHECK(grading(particles, 0).passing(0.9 * equivalent_diameter(1.5e-6)) ==
+        near_relative(0.25, round_off));
 }
 
 TEST_CASE("gradings that cannot be are refused") {

@@ -73,6 +73,12 @@ TEST_CASE("particles are bonded across the boundary of a periodic cell") {
   assembly.bonds.clear();
   assembly.shear_offset = 0.5;
   CHECK(bond_common_edges(assembly) == 9 + 6);
+  // After any number of periods of shear, images of them are those neighbours.
+  for (const double offset : {0.5 + 4 * 3, 0.5 - 5 * 3}) {
+    assembly.bonds.clear();
+    assembly.shear_offset = offset;
+    CHECK(bond_common_edges(assembly) == 9 + 6);
+  }
 }
 
 TEST_CASE("bonds move with their assembly, and those that break a rule are named") {
@@ -100,6 +106,6 @@ TEST_CASE("bonds move with their assembly, and those that break a rule are named
         "Assembly.bonds[0]: length [m] = 0: must be above 0 and finite");
   CHECK(refused([](Assembly& a) { a.particles[1].motion = Motion::wall; }) ==
         "Assembly.bonds[0]: particle 1 must not be a wall");
-  CHECK(refused([](Assembly& a) { a.bonds[0].image.axis_1 = 1; }) ==
-        "Assembly.bonds[0]: image = 1: must be zero where there is no period");
+  CHECK(refused([](Assembly& a) { a.bonds[0].image.axis_2 = 1; }) ==
+        "Assembly.bonds[0]: image (0, 1): must be zero where there is no period");
 }

@@ -78,6 +78,17 @@ TEST_CASE("each particle has the density of its material, which pieces and the o
   CHECK(particles.mean_density() == near_relative(3000, 1e-14));
 }
 
+TEST_CASE("particles of one density have that mean density, to the last bit") {
+  for (const double density : {2500.0, 2647.3, 1.1}) {
+    Particles particles(0.017, std::vector<double>{7, density, density});
+    Random random(3);
+    for (MaterialIndex n = 0; n < 20; ++n)
+      particles.add(somewhere(random), Motion::free, nullptr, MaterialIndex(1 + n % 2));
+    particles.add(rectangle(1, 1), Motion::wall);
+    CHECK(particles.mean_density() == density);
+  }
+}
+
 TEST_CASE("a particle is added at rest, unturned, in its place and with its motion") {
   Particles particles(1, 1);
   Random random(1);

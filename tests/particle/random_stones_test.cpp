@@ -12,6 +12,7 @@
 #include <riprap/geometry/overlap.hpp>
 #include <riprap/geometry/read_outlines.hpp>
 #include <riprap/geometry/separation.hpp>
+#include <riprap/particle/bond_common_edges.hpp>
 #include <support/message_of.hpp>
 #include <support/near.hpp>
 #include <support/polygons.hpp>
@@ -28,9 +29,9 @@ std::vector<Stone> library() {
   return stones_of({l_shape, notched});
 }
 
-Stone stone_at(const StoneAssembly& sample, const std::vector<std::uint32_t>& cluster) {
+Stone stone_at(const StoneAssembly& sample, const std::vector<std::size_t>& cluster) {
   Stone stone;
-  for (const std::uint32_t i : cluster) stone.cells.push_back(sample.assembly.particles[i].polygon);
+  for (const std::size_t i : cluster) stone.cells.push_back(sample.assembly.particles[i].polygon);
   return stone;
 }
 
@@ -104,6 +105,21 @@ TEST_CASE("stones in a periodic cell are clear of the images of others") {
       both.stone.push_back(sample.stone[i] + 40);
     }
     CHECK(stones_are_apart(both));
+  }
+}
+
+TEST_CASE("the cells of each stone can be bonded, and to no other stone") {
+  for (StoneAssembly sample : {random_platen_stones({.count = 40, .seed = 3}, library()),
+                               random_periodic_stones({.count = 40, .seed = 2}, library())}) {
+    std::size_t joints = 0;
+    for (const auto& cluster : sample.clusters()) {
+      joints += cluster.size() - 1;  // in a chain
+      CHECK(bond_common_edges(sample.assembly, cluster) == cluster.size() - 1);
+    }
+    CHECK(sample.assembly.bonds.size() == joints);
+    for (const PlacedBond& bond : sample.assembly.bonds)
+      CHECK(sample.stone[bond.a] == sample.stone[bond.b]);
+    sample.assembly.validate();
   }
 }
 

@@ -156,6 +156,8 @@ TEST_CASE("a bar breaks at its strength, once, and both parts are told") {
   CHECK(largest == near_relative(1e6 * area, 2e-3));
   CHECK(2e-4 * sim.time() == near_relative(at_strength, 2e-3));
   CHECK(event.failure == BondFailure::tension);
+  CHECK(event.step == sim.steps());
+  CHECK(event.time == sim.time());
   CHECK(event.separates);
   CHECK(std::abs(event.place.x() / side - std::floor(event.place.x() / side) - 0.5) <= 1e-3);
   CHECK((event.ends[1] - event.ends[0]).norm() == near_relative(side, 1e-12));

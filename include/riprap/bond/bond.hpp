@@ -28,6 +28,15 @@ template <class T>
   return near_end_share * ends[g] + far_end_share * ends[1 - g];
 }
 
+/// Value at a share of the length of what is linear along the edge.
+/// @param points its values at the two integration points
+/// @param share of the length, from the first end on, in [0, 1]
+template <class T>
+[[nodiscard]] T at_share(const std::array<T, 2>& points, double share) {
+  const double place = std::numbers::sqrt3 * (2 * share - 1);  // -1 and 1 at the points
+  return 0.5 * ((1 - place) * points[0] + (1 + place) * points[1]);
+}
+
 /// An edge that a body has in common with another, in the body's own frame.
 struct BondedEdge {
   std::array<Vec2, 2> ends{Vec2{0, 0}, Vec2{0, 0}};  ///< [m]

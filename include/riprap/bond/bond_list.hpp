@@ -90,8 +90,8 @@ class BondList {
   }
 
   /// Hands the bonds of a particle that has broken to its pieces; those of dust are moved to
-  /// `lost`, as they were. Returns whether there were any.
-  bool divide(const DividedBody& broken, const Particles& particles, const Domain& domain,
+  /// `lost`, as they were.
+  void divide(const DividedBody& broken, const Particles& particles, const Domain& domain,
               std::vector<BondType>& lost) {
     divided_.clear();
     take_out(particles.size(), divided_, [&](const BondType& bond) {
@@ -105,11 +105,10 @@ class BondList {
           continue;
         }
         bonds_.push_back(part->bond);
-        evaluate(bonds_.back(), particles, domain);
+        add_loss(evaluate(bonds_.back(), particles, domain));
       }
-    std::stable_sort(bonds_.begin(), bonds_.end(), precedes);
+    if (!divided_.empty()) std::stable_sort(bonds_.begin(), bonds_.end(), precedes);
     changed(particles.size());
-    return !divided_.empty();
   }
 
   /// Body i, whose bonds have been taken out, was removed: those behind it have moved up.

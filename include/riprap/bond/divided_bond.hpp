@@ -31,8 +31,9 @@ struct BondPart {
 
 namespace internal {
 
-/// The part of a bond's edge from the share `first` to the share `last` of its length. Each of its
-/// integration points takes the state of the nearer one of the bond.
+/// The part of a bond's edge from the share `first` to the share `last` of its length, with its
+/// displacements and arms. Each of its integration points takes the state of the nearer one of the
+/// bond.
 template <class BondType>
 [[nodiscard]] BondType part_of(const BondType& bond, double first, double last) {
   BondType part = bond;
@@ -43,9 +44,18 @@ template <class BondType>
   };
   part.on_a.ends = shorten(bond.on_a.ends);
   part.on_b.ends = shorten(bond.on_b.ends);
+  const auto& points = bond.view.points;
+  const auto displacement = [&](double share) {
+    return BondDisplacement{at_share(std::array{points[0].opening, points[1].opening}, share),
+                            at_share(std::array{points[0].sliding, points[1].sliding}, share)};
+  };
+  part.view.ends = {displacement(first), displacement(last)};
   for (std::size_t g = 0; g < 2; ++g) {
     const double place = at_point(std::array{first, last}, g);
+    part.view.points[g] = displacement(place);
     part.view.states[g] = bond.view.states[place < 0.5 ? 0 : 1];
+    part.arms_a[g] = at_share(bond.arms_a, place);
+    part.arms_b[g] = at_share(bond.arms_b, place);
   }
   return part;
 }

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstddef>
-#include <numbers>
 
 #include <riprap/bond/bond.hpp>
 #include <riprap/contact/pair/contact.hpp>
@@ -44,22 +43,19 @@ template <class BondType, class Visit>
 void for_each_force(const BondType& bond, const Particles& particles, Visit&& visit) {
   constexpr double parts = bond_load_parts;
   const Vec2 tangent = perpendicular(bond.normal);
-  const auto linear = [](const std::array<Vec2, 2>& at, double place) {  // -1 and 1 at the points
-    return 0.5 * ((1 - place) * at[0] + (1 + place) * at[1]);
-  };
   for (std::size_t part = 0; part < bond_load_parts; ++part)
     for (std::size_t g = 0; g < 2; ++g) {
       const std::array shares{static_cast<double>(part) / parts,
                               static_cast<double>(part + 1) / parts};
-      const double place = std::numbers::sqrt3 * (2 * at_point(shares, g) - 1);
-      const Vec2 on_b = linear(bond.forces, place) / parts;
-      const Vec2 arm_a = linear(bond.arms_a, place);
+      const double share = at_point(shares, g);
+      const Vec2 on_b = at_share(bond.forces, share) / parts;
+      const Vec2 arm_a = at_share(bond.arms_a, share);
       visit(BondForce{bond.a,
                       bond.b,
                       {particles.body(bond.a).position + arm_a},
                       {bond.normal.dot(on_b), tangent.dot(on_b)},
                       arm_a,
-                      linear(bond.arms_b, place),
+                      at_share(bond.arms_b, share),
                       on_b});
     }
 }

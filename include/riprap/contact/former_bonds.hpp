@@ -20,6 +20,7 @@ struct FormerPair {
 
 /// The contact of a pair whose bond has broken, at the present poses: it begins with what the bond
 /// leaves, if the law says so.
+/// @param bond without its materials, which are those of the bodies
 /// @return energy that the contact stores [J]
 template <class ContactType, class Narrow, class Law, class Domain>
 double begin_contact(ContactType& contact, const FormerBond& bond, const Particles& particles,
@@ -27,7 +28,10 @@ double begin_contact(ContactType& contact, const FormerBond& bond, const Particl
   contact.touching = false;
   contact.cache = decltype(contact.cache){};
   if (!find_contact(contact, particles, narrow, domain)) return 0;
-  contact.history = history_after_bond(law, contact.geometry, bond);
+  FormerBond left = bond;
+  left.material_a = particles.material(contact.a);
+  left.material_b = particles.material(contact.b);
+  contact.history = history_after_bond(law, contact.geometry, left);
   return law.stored_energy(contact.geometry, contact.history);
 }
 

@@ -65,7 +65,8 @@ class Grading {
 /// when a particle breaks across its length; this size shows every break. Area stands for mass:
 /// where rocks of several densities are in a sample, it is the grading by volume.
 [[nodiscard]] Grading grading(const Particles& particles);
-/// The same of one material. Throws InvalidInput if there is none of it.
+/// The same of one material, in clusters of several the cells of that one. Throws InvalidInput if
+/// there is none of it.
 [[nodiscard]] Grading grading(const Particles& particles, MaterialIndex material);
 
 /// Of the intact particles that these were once: the areas of pieces and dust add up to their

@@ -86,22 +86,14 @@ RIPRAP_INLINE double Grading::area_above(double limit) const {
 
 namespace internal {
 
-// Free bodies and dust of the particles of which `counts(body)`, by which a root is known, too: at
-// least one piece of every particle is a body.
+// Free bodies and dust of the materials of which `counts(material)`.
 template <class Counts, class Add>
 void visit_grains(const Particles& particles, Counts&& counts, Add&& add) {
-  std::map<ParticleId, bool> has_root;
-  for (BodyIndex i = 0; i < particles.size(); ++i) {
-    if (!particles.body(i).is_free()) continue;
-    const bool is_counted = counts(i);
-    has_root[particles.ancestry(i).root] = is_counted;
-    if (is_counted) add(particles.ancestry(i).root, particles.shape(i).area);
-  }
-  for (const DustPiece& piece : particles.dust()) {
-    const auto found = has_root.find(piece.root);
-    if (found == has_root.end() ? counts(particles.size()) : found->second)
-      add(piece.root, piece.area);
-  }
+  for (BodyIndex i = 0; i < particles.size(); ++i)
+    if (particles.body(i).is_free() && counts(particles.material(i)))
+      add(particles.ancestry(i).root, particles.shape(i).area);
+  for (const DustPiece& piece : particles.dust())
+    if (counts(piece.material)) add(piece.root, piece.area);
 }
 
 template <class Counts>
@@ -125,23 +117,19 @@ template <class Counts>
 }  // namespace internal
 
 RIPRAP_INLINE Grading grading(const Particles& particles) {
-  return internal::grading_of(particles, [](std::size_t) { return true; });
+  return internal::grading_of(particles, [](MaterialIndex) { return true; });
 }
 
 RIPRAP_INLINE Grading grading_before_breakage(const Particles& particles) {
-  return internal::grading_before(particles, [](std::size_t) { return true; });
+  return internal::grading_before(particles, [](MaterialIndex) { return true; });
 }
 
 RIPRAP_INLINE Grading grading(const Particles& particles, MaterialIndex material) {
-  return internal::grading_of(particles, [&](std::size_t i) {
-    return i < particles.size() && particles.material(static_cast<BodyIndex>(i)) == material;
-  });
+  return internal::grading_of(particles, [=](MaterialIndex own) { return own == material; });
 }
 
 RIPRAP_INLINE Grading grading_before_breakage(const Particles& particles, MaterialIndex material) {
-  return internal::grading_before(particles, [&](std::size_t i) {
-    return i < particles.size() && particles.material(static_cast<BodyIndex>(i)) == material;
-  });
+  return internal::grading_before(particles, [=](MaterialIndex own) { return own == material; });
 }
 
 }  // namespace riprap

@@ -44,8 +44,10 @@ RIPRAP_INLINE void Assembly::validate() const {
         throw InvalidInput(name + ": " + particle_text(static_cast<ParticleId>(i)) +
                            " must not be a wall");
     }
-    require(period != Vec2{0, 0} || bond.image == PeriodicDomain::Image{}, name + ": image",
-            bond.image.axis_1, "must be zero where there is no period");
+    if (period == Vec2{0, 0} && bond.image != PeriodicDomain::Image{})
+      throw InvalidInput(name + ": image (" + std::to_string(bond.image.axis_1) + ", " +
+                         std::to_string(bond.image.axis_2) +
+                         "): must be zero where there is no period");
   }
 }
 

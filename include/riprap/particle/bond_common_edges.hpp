@@ -16,8 +16,8 @@ namespace riprap {
 /// not be of one length. In a periodic cell particles are bonded across its boundary, too. Bonds
 /// are appended in the order of their particles.
 /// @param particles places in `assembly.particles`, such as those of the cells of a cluster
-/// @param tolerance distance of the two edges, and least length of the common part, over the
-/// circumradius of the smaller particle [-]
+/// @param tolerance distance of the two edges, and least length of the common part, over half the
+/// distance of the farthest vertex from the first one, in the smaller particle [-]
 /// @return the number of bonds that were added
 /// Throws InvalidInput for a place that is not in the assembly, for a tolerance that is not above 0
 /// and below 0.1, and for two particles that are bonded already.

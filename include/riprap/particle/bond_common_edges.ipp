@@ -42,8 +42,12 @@ common_segment(const std::array<Vec2, 2>& p, const std::array<Vec2, 2>& q, doubl
 }
 
 /// Half of the images around a cell: the other half has the same pairs.
-inline constexpr std::array<PeriodicDomain::Image, 4> half_of_images{
-    {{1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
+[[nodiscard]] inline std::array<PeriodicDomain::Image, 4>
+half_of_images(const PeriodicDomain& domain) {
+  // Of those one period up axis 2, the three that lie nearest.
+  const int above = -static_cast<int>(std::lround(domain.shear_offset / domain.period.x()));
+  return {{{1, 0}, {above - 1, 1}, {above, 1}, {above + 1, 1}}};
+}
 
 [[nodiscard]] inline std::vector<BondCandidate>
 bond_candidates(const Assembly& assembly, std::span<const std::size_t> particles) {
@@ -61,7 +65,7 @@ bond_candidates(const Assembly& assembly, std::span<const std::size_t> particles
     }
     all.push_back(one);
     if (!periodic) continue;
-    for (const PeriodicDomain::Image& image : half_of_images) {
+    for (const PeriodicDomain::Image& image : half_of_images(domain)) {
       const Vec2 offset = domain.offset(image);
       all.push_back({place, image, one.low + offset, one.high + offset});
     }

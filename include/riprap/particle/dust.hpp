@@ -11,10 +11,12 @@ namespace riprap {
 struct DustPiece {
   ParticleId root = no_particle;  ///< the intact particle it was once part of
   double area = 0;                ///< [m^2]
+  MaterialIndex material = 0;
 
   static void for_each_field(auto& self, auto&& visit) {
     visit("root", self.root);
     visit("area", self.area);
+    visit("material", self.material);
   }
 };
 

@@ -51,8 +51,8 @@ class Particles {
   [[nodiscard]] MaterialIndex material(BodyIndex i) const { return materials_[i]; }
   /// Number of materials.
   [[nodiscard]] std::size_t materials() const { return densities_.size(); }
-  /// Mass over volume of all bodies but walls and platens, of all where there are no others; that
-  /// of the material where there is one [kg/m^3].
+  /// Mass over volume of all bodies but walls and platens, of all where there are no others
+  /// [kg/m^3]; where they have one density it is that, to the last bit.
   [[nodiscard]] double mean_density() const;
 
   [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
@@ -92,7 +92,9 @@ class Particles {
   [[nodiscard]] std::optional<BodyIndex> find(ParticleId id) const;
 
   /// Counts a piece of `area` [m^2] of a particle that breaks, which is not simulated.
-  void add_dust(const Ancestry& parent, double area) { dust_.push_back({parent.root, area}); }
+  void add_dust(const Ancestry& parent, double area, MaterialIndex material = 0) {
+    dust_.push_back({parent.root, area, material});
+  }
   [[nodiscard]] const std::vector<DustPiece>& dust() const { return dust_; }
   [[nodiscard]] double dust_area() const {  ///< [m^2]
     double sum = 0;

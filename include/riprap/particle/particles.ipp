@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include <riprap/particle/particles.hpp>
@@ -50,11 +51,16 @@ RIPRAP_INLINE double Particles::mean_density() const {
   const auto mean = [this](bool walls) {
     double mass = 0;
     double volume = 0;
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0;
     for (BodyIndex i = 0; i < size(); ++i) {
       if (bodies_[i].is_wall() != walls) continue;
       mass += bodies_[i].mass;
       volume += thickness_ * shapes_[i].area;
+      least = std::min(least, density(i));
+      most = std::max(most, density(i));
     }
+    if (least == most) return least;  // to the last bit
     return volume > 0 ? mass / volume : 0;
   };
   const double of_grains = mean(false);

@@ -4,6 +4,7 @@
 /// Loose rectangular samples of stones from a library, convex or concave. Optional: not part of
 /// riprap.hpp.
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -26,8 +27,8 @@ struct StoneAssembly {
   std::vector<std::uint32_t> stone;
 
   [[nodiscard]] std::uint32_t count() const;  ///< of stones
-  /// Particles by stone, by their places in the assembly.
-  [[nodiscard]] std::vector<std::vector<std::uint32_t>> clusters() const;
+  /// Particles by stone, by their places in the assembly: as bond_common_edges takes them.
+  [[nodiscard]] std::vector<std::vector<std::size_t>> clusters() const;
 };
 
 /// Places stones at random without overlap in a rectangle about the origin, between four platens or

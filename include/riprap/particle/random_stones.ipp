@@ -94,10 +94,10 @@ RIPRAP_INLINE std::uint32_t StoneAssembly::count() const {
   return count;
 }
 
-RIPRAP_INLINE std::vector<std::vector<std::uint32_t>> StoneAssembly::clusters() const {
-  std::vector<std::vector<std::uint32_t>> out(count());
+RIPRAP_INLINE std::vector<std::vector<std::size_t>> StoneAssembly::clusters() const {
+  std::vector<std::vector<std::size_t>> out(count());
   for (std::size_t i = 0; i < stone.size(); ++i)
-    if (stone[i] != no_stone) out[stone[i]].push_back(static_cast<std::uint32_t>(i));
+    if (stone[i] != no_stone) out[stone[i]].push_back(i);
   return out;
 }
 

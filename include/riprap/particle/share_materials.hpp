@@ -19,7 +19,8 @@
 namespace riprap {
 
 /// The free particles, in an order drawn by `seed`, become material 0, 1, ... until each has its
-/// share of their area, met to half the area of a particle; all others stay what they are. Samples
+/// share of their area, met to half the area of a particle; all others stay what they are. Cells of
+/// a stone are particles: they become of several materials. Samples
 /// of one seed with other shares differ in as few particles as can be.
 /// @param shares of the materials [-], 0 or above, of sum 1
 /// Throws InvalidInput for shares that break the rule.

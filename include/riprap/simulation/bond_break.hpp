@@ -14,8 +14,8 @@ namespace riprap {
 
 /// One bond is no more.
 struct BondBreak {
-  std::uint64_t step = 0;
-  double time = 0;  ///< [s]
+  std::uint64_t step = 0;  ///< `steps()` at the end of it, as in a BreakEvent
+  double time = 0;         ///< [s]
   std::array<ParticleId, 2> particles{no_particle, no_particle};
   BondFailure failure = BondFailure::none;  ///< none: it was broken by the program, or with dust
   Vec2 place{0, 0};                         ///< of the middle of its edge then [m]

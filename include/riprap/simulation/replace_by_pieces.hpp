@@ -45,7 +45,7 @@ BodyIndex replace_by_pieces(const ModelType& model, double smallest_mass, const 
     event.areas[k] = properties.area;
     event.centroids[k] = properties.centroid;
     if (crack.is_dust[k]) {
-      particles.add_dust(ancestry, properties.area);
+      particles.add_dust(ancestry, properties.area, particles.material(i));
       continue;
     }
     const ConvexPolygon piece{ring};

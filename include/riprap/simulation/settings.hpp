@@ -27,7 +27,8 @@ class Settings {
     sim().motion_.body_force = body_force;
   }
   [[nodiscard]] const auto& body_force() const { return sim().motion_.body_force; }
-  /// Replaces the time step [s] that the rule chose; stability is the caller's responsibility.
+  /// Replaces the time step [s] that the rule chose; stability is the caller's responsibility. With
+  /// bonds it falls to that of the rule, if this is smaller, when a particle breaks.
   void set_time_step(double seconds) {
     require_positive("time step", seconds);
     sim().time_step_ = seconds;

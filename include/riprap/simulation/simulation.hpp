@@ -104,7 +104,7 @@ class Simulation : public BodyChanges<Simulation<ModelType>>,
       contacts_.set_domain(boundary().domain());
     }
     on_phase_end(StepPhase::other);
-    bonds_.update(particles_, contacts_, {steps_, time_}, model_.execution_policy,
+    bonds_.update(particles_, contacts_, {steps_ + 1, time_}, model_.execution_policy,
                   breakage_active_);
     contacts_.update(particles_, time_step_, model_.execution_policy, on_phase_end);
     contacts_.check_overlaps(particles_);

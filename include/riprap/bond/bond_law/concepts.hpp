@@ -27,7 +27,7 @@ struct BondTraction {
 /// Whether and how a bond has failed.
 enum class BondFailure : unsigned char { none, tension, shear };
 
-/// What the law knows of a whole bond when it decides whether the bond breaks. Displacements are
+/// What a law is given of a whole bond to decide whether it breaks. Displacements are
 /// linear along the edge: those at its ends are the extremes.
 template <class State>
 struct BondView {
@@ -52,7 +52,7 @@ concept BondLawCall =
     };
 
 /// `law.stored_energy(displacement, state)` [J/m^2]: what the point can give back; the traction is
-/// its gradient.
+/// minus its gradient.
 template <class L>
 concept BondLawEnergy =
     requires(const L& law, const BondDisplacement& displacement, const typename L::State& state) {

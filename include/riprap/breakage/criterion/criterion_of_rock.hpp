@@ -30,7 +30,7 @@ struct CriterionOfRock {
   [[nodiscard]] const C& of_material(MaterialIndex material) const { return criteria[material]; }
   [[nodiscard]] std::size_t materials() const { return criteria.size(); }
 
-  // Where nobody says of which rock: that of the weakest, stress by stress.
+  // Where no material is named: that of the weakest, stress by stress.
   [[nodiscard]] double major_stress_at_failure(double minor) const {
     return least([minor](const C& c) { return double(c.major_stress_at_failure(minor)); });
   }

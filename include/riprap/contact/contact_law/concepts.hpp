@@ -42,6 +42,8 @@ struct FormerBond {
   double normal_energy = 0;      ///< stored in that [J]
   double tangential_force = 0;   ///< on b along the tangent [N]
   double tangential_energy = 0;  ///< stored in that [J]
+  MaterialIndex material_a = 0;  ///< of the two bodies, in the simulation's list of rocks
+  MaterialIndex material_b = 0;
 };
 
 namespace requirements {

@@ -58,13 +58,13 @@ class MixedContactLaw {
   [[nodiscard]] std::size_t materials() const { return count_; }
   /// The law of contacts between two materials.
   [[nodiscard]] const Law& of(MaterialIndex a, MaterialIndex b) const {
-    return pairs_[std::size_t{a} * count_ + b];
+    return pairs_[place_of(a, b)];
   }
   [[nodiscard]] const Rule& rule() const { return rule_; }
 
   [[nodiscard]] ContactForce operator()(const ContactGeometry& geometry,
                                         const ContactMotion& motion, History& history) const {
-    history.pair = motion.material_a * count_ + motion.material_b;
+    history.pair = place_of(motion.material_a, motion.material_b);
     return pairs_[history.pair](geometry, motion, history.own);
   }
   [[nodiscard]] double stored_energy(const ContactGeometry& geometry,
@@ -75,6 +75,11 @@ class MixedContactLaw {
                                         const DividedContact& part) const {
     return {riprap::divided_history(pairs_[history.pair], history.own, geometry, part),
             history.pair};
+  }
+  [[nodiscard]] History history_after_bond(const ContactGeometry& geometry,
+                                           const FormerBond& bond) const {
+    const std::uint32_t pair = place_of(bond.material_a, bond.material_b);
+    return {riprap::history_after_bond(pairs_[pair], geometry, bond), pair};
   }
   /// Of the stiffest pair [N/m].
   [[nodiscard]] double peak_stiffness() const {
@@ -113,6 +118,9 @@ class MixedContactLaw {
   }
 
  private:
+  [[nodiscard]] std::uint32_t place_of(MaterialIndex a, MaterialIndex b) const {
+    return a * count_ + b;
+  }
   template <class Change>
   [[nodiscard]] MixedContactLaw with_pairs(Change&& change) const {
     MixedContactLaw copy = *this;
