@@ -4,6 +4,7 @@
 /// What a simulation needs: all policies but the optional ones, Model, Simulation, the biaxial test
 /// and its records. Needs the headers of Eigen and Boost only.
 
+#include <riprap/bond/bond_law/bond_law_of_rock.hpp>
 #include <riprap/bond/bond_law/brittle_bond.hpp>
 #include <riprap/bond/bond_law/softening_bond.hpp>
 #include <riprap/breakage/criterion/criterion_of_rock.hpp>
