@@ -45,7 +45,7 @@ struct LoadingView {
   bool reached_target = false;        ///< at end_stage; false: it was missed, or a stop came first
   bool interrupted = false;           ///< an observer's stop_requested ended the test
   double confining_pressure = 0;      ///< [Pa]
-  double mean_diameter = 0;           ///< of the circles of equal area, intact particles [m]
+  double mean_diameter = 0;           ///< mean_particle_diameter at the start [m]
   Vec2 stretch{1, 1};                 ///< extent over that at zero strain, axes 1 and 2
   Vec2 rate{0, 0};                    ///< shortening rates [1/s]
   double area = 0;                    ///< of the assembly [m^2]

@@ -21,7 +21,7 @@
 #include <riprap/experiment/sample_check.hpp>
 #include <riprap/experiment/stage.hpp>
 #include <riprap/experiment/stage_parts.hpp>
-#include <riprap/geometry/polygon_properties.hpp>
+#include <riprap/measurement/mean_diameter.hpp>
 
 namespace riprap {
 
@@ -40,7 +40,7 @@ class PathRun {
         step_observers_(std::tuple_cat(if_of_step(observers)...)),
         view_{.sim = sim, .confining_pressure = confining_pressure}, law_(sim.contact_law()),
         breakage_(sim.breakage()) {
-    view_.mean_diameter = equivalent_diameter(sim.mean_area());
+    view_.mean_diameter = mean_particle_diameter(sim);
     result_.stages.resize(stages_.size());
     describe_stage();
   }
