@@ -60,7 +60,7 @@ double brazilian_strength(const BondedDisc& disc, const BrittleBond& bond) {
 }
 
 BrittleBond calibrated_bond(const BondedDisc& disc, double strength) {
-  BrittleBond bond{.normal_stiffness = 4e12, .tangential_stiffness = 4e12};
+  BrittleBond bond{.normal_stiffness = disc.stiffness, .tangential_stiffness = disc.stiffness};
   for (int k = 0; k < 4; ++k) {
     const double factor = strength / brazilian_strength(disc, bond);
     bond.tensile_strength *= factor;

@@ -7,6 +7,7 @@
 namespace bonded_disc {
 
 struct BondedDisc {
+  double stiffness = 2e12;   // of the bonds, normal and tangential [Pa/m]
   double diameter = 0.016;   // [m]
   double thickness = 0.016;  // [m]
   unsigned cells = 12;
@@ -18,8 +19,8 @@ struct BondedDisc {
 // by a tenth; the mean over the discs.
 double brazilian_strength(const BondedDisc& disc, const riprap::BrittleBond& bond);
 
-// A bond much stiffer than a contact, with the strengths at which the discs have a strength [Pa].
-// The two are nearly proportional: four corrections are enough for 1 %.
+// A bond of the stiffness of the disc's, with the strengths at which the discs have a strength
+// [Pa]. The two are nearly proportional: four corrections are enough for 1 %.
 riprap::BrittleBond calibrated_bond(const BondedDisc& disc, double strength);
 
 }  // namespace bonded_disc

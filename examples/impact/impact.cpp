@@ -135,7 +135,8 @@ BrittleBond bond_of(const Options& o) {
   const double strength = BrazilianTest{.diameter = o.diameter, .thickness = o.diameter}.strength(
       common_model(o).criterion(o.criterion), Rock{});
   return bonded_disc::calibrated_bond(
-      {.diameter = o.diameter, .thickness = o.diameter, .cells = o.cells}, strength);
+      {.stiffness = 4e12, .diameter = o.diameter, .thickness = o.diameter, .cells = o.cells},
+      strength);
 }
 
 Shot shoot_bonded(const Options& o, double speed, std::uint64_t seed) {
