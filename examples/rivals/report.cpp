@@ -76,7 +76,7 @@ riprap::Svg charts(const std::vector<ModelRuns>& runs) {
       all.push_back(std::move(chart));
     }
   for (const auto& [pressure, of_pressure] : by_pressure) {
-    Chart chart{title("Grading", pressure), "size [mm]", "finer by mass [%]", {}};
+    Chart chart{title("Grading", pressure), "size [mm]", "finer by area [%]", {}};
     chart.x_scale = riprap::AxisScale::logarithmic;
     for (const ModelRuns* one : of_pressure) chart.series.push_back(grading(*one));
     all.push_back(std::move(chart));

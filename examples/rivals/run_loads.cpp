@@ -2,6 +2,9 @@
 // Breakage by the contact forces alone: Cundall and Hart (1985), Tsoungui et al. (1999), the
 // largest force by Hertz, the mean stress.
 
+#include <cmath>
+#include <utility>
+
 #include <riprap/breakage/line_fit/line_fit_choice.hpp>
 #include <riprap/breakage/line_fit/loaded_diameter.hpp>
 #include <riprap/breakage/line_fit/mean_stress_failure_plane.hpp>
