@@ -30,9 +30,10 @@ double not_coarser(const Grading& grading, double size) {
   return grading.passing(size * (1 + 1e-9));
 }
 
-Grading rockfill() {
-  return Grading::of_sieves(
+const Grading& rockfill() {
+  static const Grading curve = Grading::of_sieves(
       {{0.002, 0}, {0.005, 0.07}, {0.01, 0.18}, {0.02, 0.42}, {0.04, 0.8}, {0.06, 1}});
+  return curve;
 }
 
 }  // namespace
