@@ -22,7 +22,7 @@ file(GLOB sources RELATIVE ${PROJECT_SOURCE_DIR}/examples CONFIGURE_DEPENDS
      ${PROJECT_SOURCE_DIR}/examples/run_table/*.cpp)
 riprap_example_part(riprap_run_table LIBRARIES Threads::Threads SOURCES ${sources})
 # The strength of particles of bonded cells.
-riprap_example_part(riprap_bonded_disc SOURCES bonded_disc/bonded_disc.cpp)
+riprap_example_part(riprap_bonded_disc SOURCES bonded_disc/disc_strength.cpp)
 # What the tests along loading paths measure.
 riprap_example_part(riprap_paths SOURCES paths/measures.cpp)
 # What the study of convergence computes.

@@ -21,7 +21,7 @@
 #include <riprap/particle/bonded_cells.hpp>
 #include <riprap/riprap.hpp>
 
-#include "../bonded_disc/bonded_disc.hpp"
+#include "../bonded_disc/disc_strength.hpp"
 #include "../command_line/option_table.hpp"
 #include "../command_line/program.hpp"
 #include "../run_table/progress_line.hpp"

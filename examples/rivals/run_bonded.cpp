@@ -4,7 +4,7 @@
 #include <riprap/breakage/criterion/never_fails.hpp>
 #include <riprap/particle/bonded_cells.hpp>
 
-#include "../bonded_disc/bonded_disc.hpp"
+#include "../bonded_disc/disc_strength.hpp"
 #include "run_model.hpp"
 
 rivals::Json rivals::run_bonded(const Case& c) {

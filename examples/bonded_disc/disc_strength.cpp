@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "bonded_disc.hpp"
+#include "disc_strength.hpp"
 
 #include <algorithm>
 #include <numbers>
