@@ -35,12 +35,12 @@ namespace internal {
 }
 
 /// Second moments of a polygon about its centroid, the origin.
-struct SecondMoments {
+struct CentralMoments {
   double uu = 0;
   double vv = 0;
   double uv = 0;
 
-  explicit SecondMoments(Ring ring) {
+  explicit CentralMoments(Ring ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec2& p = ring[i];
       const Vec2& q = ring[next_vertex(i, ring.size())];
@@ -68,7 +68,7 @@ struct SecondMoments {
   for (std::size_t i = 0; i < polygon.size; ++i)
     placed.vertices[i] = frame.inverse_times(polygon.vertices[i] - m.centroid);
   const Ring ring = placed.ring();
-  const internal::SecondMoments s(ring);
+  const internal::CentralMoments s(ring);
   const double det = s.uu * s.vv - s.uv * s.uv;
   if (!(det > 0)) return m;
   const double trace = s.uu + s.vv;
