@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -74,6 +76,43 @@ void check_restarts(const ModelType& model, bool breaks) {
 }
 
 }  // namespace
+
+TEST_CASE("bonds that are held above their strength go on from a checkpoint, to the byte") {
+  const auto start = [&] {
+    Simulation sim{Model{}
+                       .boundary(PeriodicCell{})
+                       .criterion(NeverFails{})
+                       .bond_law(SofteningBond{
+                           .tensile_strength = 2e6, .shear_strength = 2e6, .fracture_energy = 50}),
+                   filled_cell(2), Rock{}};
+    sim.boundary().set_rate(-1, 0.5);
+    sim.set_breakage(false);
+    return sim;
+  };
+  EnergyLedger ledger;
+  auto first = start();
+  while (first.steps() < 1000) first.step();
+  double largest = 0;  // traction of an undamaged bond [Pa]
+  for (const auto& bond : first.bonds())
+    for (const BondDisplacement& point : bond.view.points)
+      largest = std::max(largest, 2.5e11 * std::max(point.opening, std::abs(point.sliding)));
+  REQUIRE(largest > 2e6);
+  const test::TemporaryFile file;
+  write_checkpoint(file.path(), first, ledger);
+  auto second = start();
+  read_checkpoint(file.path(), second, ledger);
+  CHECK(state_of(second, ledger) == state_of(first, ledger));
+  for (const bool breakage : {false, true}) {
+    first.set_breakage(breakage);
+    second.set_breakage(breakage);
+    for (int i = 0; i < 100; ++i) {
+      first.step();
+      second.step();
+    }
+    CHECK(state_of(second, ledger) == state_of(first, ledger));
+  }
+  CHECK(first.bonds().loss() > 0);
+}
 
 TEST_CASE("a run of a bonded sample goes on from a checkpoint, to the byte") {
   const auto model = Model{}.boundary(PeriodicCell{}).check_every(50);

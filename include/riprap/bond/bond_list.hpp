@@ -61,9 +61,10 @@ class BondList {
     for_each_task(execution, bonds_.size(),
                   [&](std::size_t task, std::size_t first, std::size_t last) {
                     for (std::size_t k = first; k < last; ++k) {
-                      const double loss = may_fail ? evaluate(bonds_[k], particles, domain)
-                                                   : hold(bonds_[k], particles, domain);
-                      if (loss != 0) losses_[task].add(loss);
+                      if (!may_fail)
+                        hold(bonds_[k], particles, domain);
+                      else if (const double loss = evaluate(bonds_[k], particles, domain))
+                        losses_[task].add(loss);
                     }
                   });
     take_out(particles.size(), failed,
@@ -175,9 +176,10 @@ class BondList {
     visit("losses", self.losses_);
     visit("other_loss", self.other_loss_);
   }
-  /// After the fields have been written: tractions and forces at the poses of the particles.
+  /// After the fields have been written: tractions and forces at the poses of the particles. States
+  /// stay as they are: bonds may have been held.
   void restore(const Particles& particles, const Domain& domain) {
-    for (BondType& bond : bonds_) evaluate(bond, particles, domain);
+    for (BondType& bond : bonds_) hold(bond, particles, domain);
     changed(particles.size());
   }
 
@@ -235,13 +237,12 @@ class BondList {
                        bond_offset(bond, domain));
     return find_tractions(bond, law_, particles.thickness());
   }
-  // The same with the state as it is, whatever the displacement.
-  double hold(BondType& bond, const Particles& particles, const Domain& domain) const {
+  // Tractions; the bond does not fail, and its states stay as they are.
+  void hold(BondType& bond, const Particles& particles, const Domain& domain) const {
     const auto states = bond.view.states;
     (void)evaluate(bond, particles, domain);
     bond.view.states = states;
     bond.failure = BondFailure::none;
-    return 0;
   }
   void changed(std::size_t bodies) {
     index_.build(bonds_, bodies);
