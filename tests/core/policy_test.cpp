@@ -37,6 +37,15 @@ TEST_CASE("a policy with a validate function is validated, one without is always
   CHECK(count == 1);
 }
 
+TEST_CASE("an error in the rules of a policy begins with the name that it is given") {
+  struct Bad {
+    void validate() const { throw InvalidInput("Bad.value = 1: must be 2"); }
+  };
+  CHECK_THROWS_WITH_AS(validate_named("law 3", Bad{}), "law 3: Bad.value = 1: must be 2",
+                       InvalidInput);
+  validate_named("law 3", Nothing{});
+}
+
 TEST_CASE("a lambda with captures can be copied and not assigned, and may be a policy") {
   const auto lambda = [limit = 3.0](double x) { return x > limit; };
   CHECK(Policy<decltype(lambda)>);

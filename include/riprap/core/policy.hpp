@@ -4,8 +4,10 @@
 /// What all policies have in common, whatever their role.
 
 #include <concepts>
+#include <string>
 
 #include <riprap/core/compiler.hpp>
+#include <riprap/core/errors.hpp>
 
 namespace riprap {
 
@@ -43,6 +45,16 @@ consteval bool check_policy() {
 template <class P>
 void validate(const P& policy) {
   if constexpr (requires { policy.validate(); }) policy.validate();
+}
+
+/// The same; the error begins with a name, such as "criterion of material 2".
+template <class P>
+void validate_named(const std::string& name, const P& policy) {
+  try {
+    validate(policy);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(name + ": " + error.what());
+  }
 }
 
 }  // namespace riprap

@@ -11,6 +11,7 @@
 
 #include <riprap/core/errors.hpp>
 #include <riprap/core/ids.hpp>
+#include <riprap/core/policy.hpp>
 #include <riprap/material/rock.hpp>
 
 namespace riprap {
@@ -37,14 +38,9 @@ class Rocks {
   /// Throws InvalidInput for an empty list and for a rock that breaks a rule, with its place.
   void validate() const {
     if (rocks_.empty()) throw InvalidInput("Rocks: the list is empty");
-    for (std::size_t k = 0; k < rocks_.size(); ++k) {
-      try {
-        rocks_[k].validate();
-      } catch (const InvalidInput& error) {
-        if (rocks_.size() == 1) throw;
-        throw InvalidInput("rock " + std::to_string(k) + ": " + error.what());
-      }
-    }
+    if (rocks_.size() == 1) return rocks_[0].validate();
+    for (std::size_t k = 0; k < rocks_.size(); ++k)
+      validate_named("rock " + std::to_string(k), rocks_[k]);
   }
 
  private:

@@ -90,15 +90,13 @@ class EnergyLedger {
     const double stored = stored_energy_of(sim);
     const double slip = sim.contacts().friction_loss();
     const double dashpot = sim.contacts().viscous_loss();
-    terms_.law_residual -=
-        contact_work_ + (stored - stored_) + (slip - slip_) + (dashpot - dashpot_);
-    if constexpr (has_bonds<Sim>) {
-      const double before = std::exchange(bonds_, bond_loss(sim));
-      terms_.law_residual -= bonds_ - before;
-    }
+    const double bonds = bond_loss(sim);
+    terms_.law_residual -= contact_work_ + (stored - stored_) + (slip - slip_) +
+                           (dashpot - dashpot_) + (bonds - bonds_);
     stored_ = stored;
     slip_ = slip;
     dashpot_ = dashpot;
+    bonds_ = bonds;
   }
 
   template <class Sim>
@@ -113,12 +111,9 @@ class EnergyLedger {
     // A contact that carries less than before may slip at once; that has a term of its own.
     const double slip = std::exchange(slip_, sim.contacts().friction_loss());
     const double dashpot = std::exchange(dashpot_, sim.contacts().viscous_loss());
+    const double bonds = std::exchange(bonds_, bond_loss(sim));
     terms_.breakage += before_split_ - stored_ - kinetic_energy(sim.particles()) - (slip_ - slip) -
-                       (dashpot_ - dashpot);
-    if constexpr (has_bonds<Sim>) {
-      const double before = std::exchange(bonds_, bond_loss(sim));
-      terms_.breakage -= bonds_ - before;
-    }
+                       (dashpot_ - dashpot) - (bonds_ - bonds);
   }
 
   /// The terms as of now.

@@ -55,7 +55,7 @@ std::vector<BodyIndex> broken(const ModelType& model) {
 
 }  // namespace
 
-TEST_CASE("each material has its own criterion; that of nobody in particular is the weakest") {
+TEST_CASE("each material has its own criterion; without a material the weakest counts") {
   const HoekBrowns criterion{{weak, HoekBrown{.compressive_strength = 4e6, .m_b = 100}}};
   CHECK(criterion.materials() == 2);
   CHECK(criterion_of(criterion, 0).compressive_strength == 3e6);

@@ -30,7 +30,7 @@ struct BondLawOfRock {
   }
   [[nodiscard]] std::size_t materials() const { return laws.size(); }
 
-  // Where nobody says of which rock: that of the first.
+  // Without materials: the law of the first one.
   [[nodiscard]] BondTraction operator()(const BondDisplacement& d, State& state) const {
     return laws.front()(d, state);
   }
@@ -54,16 +54,9 @@ struct BondLawOfRock {
   /// Throws InvalidInput for an empty list and for a law that breaks a rule, with its place.
   void validate() const {
     if (laws.empty()) throw InvalidInput("BondLawOfRock.laws is empty");
-    const auto check = [](const L& law, const std::string& place) {
-      try {
-        riprap::validate(law);
-      } catch (const InvalidInput& error) {
-        throw InvalidInput("bond law " + place + ": " + error.what());
-      }
-    };
     for (std::size_t k = 0; k < laws.size(); ++k)
-      check(laws[k], "of material " + std::to_string(k));
-    check(between, "between two materials");
+      validate_named("bond law of material " + std::to_string(k), laws[k]);
+    validate_named("bond law between two materials", between);
   }
 };
 

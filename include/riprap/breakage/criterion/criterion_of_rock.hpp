@@ -12,6 +12,7 @@
 
 #include <riprap/breakage/criterion/concepts.hpp>
 #include <riprap/core/errors.hpp>
+#include <riprap/core/policy.hpp>
 
 namespace riprap {
 
@@ -54,13 +55,8 @@ struct CriterionOfRock {
   /// Throws InvalidInput for an empty list and for a criterion that breaks a rule, with its place.
   void validate() const {
     if (criteria.empty()) throw InvalidInput("CriterionOfRock.criteria is empty");
-    for (std::size_t k = 0; k < criteria.size(); ++k) {
-      try {
-        riprap::validate(criteria[k]);
-      } catch (const InvalidInput& error) {
-        throw InvalidInput("criterion of material " + std::to_string(k) + ": " + error.what());
-      }
-    }
+    for (std::size_t k = 0; k < criteria.size(); ++k)
+      validate_named("criterion of material " + std::to_string(k), criteria[k]);
   }
 
  private:

@@ -17,6 +17,7 @@
 #include <riprap/contact/mixing_rule/concepts.hpp>
 #include <riprap/contact/mixing_rule/mix_by_parameter.hpp>
 #include <riprap/core/errors.hpp>
+#include <riprap/core/policy.hpp>
 
 namespace riprap {
 
@@ -107,10 +108,11 @@ class MixedContactLaw {
   void validate() const {
     riprap::validate(rule_);
     for (std::size_t k = 0; k < laws_.size(); ++k)
-      naming("of material " + std::to_string(k), laws_[k]);
+      validate_named("contact law of material " + std::to_string(k), laws_[k]);
     for (std::size_t k = 0; k < pairs_.size(); ++k)
-      naming("of materials " + std::to_string(k / count_) + " and " + std::to_string(k % count_),
-             pairs_[k]);
+      validate_named("contact law of materials " + std::to_string(k / count_) + " and " +
+                         std::to_string(k % count_),
+                     pairs_[k]);
     if constexpr (requires { rule_.materials(); })
       require(rule_.materials() <= count_, "MixedContactLaw: materials of the rule",
               static_cast<double>(rule_.materials()),
@@ -126,13 +128,6 @@ class MixedContactLaw {
     MixedContactLaw copy = *this;
     for (Law& law : copy.pairs_) law = change(law);
     return copy;
-  }
-  static void naming(const std::string& whose, const Law& law) {
-    try {
-      riprap::validate(law);
-    } catch (const InvalidInput& error) {
-      throw InvalidInput("contact law " + whose + ": " + error.what());
-    }
   }
 
   std::vector<Law> laws_;  // of the materials, as they were given
