@@ -2,7 +2,6 @@
 // size_effect: strength and envelope of samples whose particles are weaker the larger they are
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -37,6 +36,11 @@ struct Options : run_table::RunOptions {
   std::vector<double> diameters{0.004, 0.016, 0.064};
   std::vector<double> pressures{1e6, 4e6, 16e6};
   bool quick = false;
+
+  // Of a particle over that of the criterion [-].
+  [[nodiscard]] double strength_of(double diameter) const {
+    return std::pow(diameter / reference_diameter, -strength.dimension / strength.modulus);
+  }
 };
 
 struct Test {
@@ -56,16 +60,10 @@ struct Result {
       random_assembly({.count = o.particles, .mean_diameter = t.diameter, .seed = t.seed}), Rock{}};
   Curve curve;
   BiaxialTest{.confining_pressure = t.pressure, .axial_strain = o.strain}.run(sim, curve);
-  constexpr std::size_t window = 5;
-  const auto points = curve.points();
-  Result result;
-  for (std::size_t i = 0; i + window <= points.size(); ++i) {
-    double mean = 0;
-    for (std::size_t k = i; k < i + window; ++k) mean += points[k].sin_phi() / window;
-    result.sin_phi = std::max(result.sin_phi, mean);
-  }
-  result.breaks = static_cast<double>(points.back().breakages) / o.particles;
-  return result;
+  std::vector<double> sin_phi;
+  for (const CurvePoint& p : curve.points()) sin_phi.push_back(p.sin_phi());
+  return {.sin_phi = run_study::largest_mean(sin_phi, 5),
+          .breaks = static_cast<double>(curve.points().back().breakages) / o.particles};
 }
 
 // All tests of one diameter, pressure by pressure.
@@ -141,8 +139,7 @@ constexpr auto breaks = [](const Result& r) { return r.breaks; };
     for (std::size_t p = 0; p < o.pressures.size(); ++p) {
       const auto phi = d.of(p, angle);
       const auto broken = d.of(p, breaks);
-      const double strength =
-          std::pow(d.diameter / o.reference_diameter, -o.strength.dimension / o.strength.modulus);
+      const double strength = o.strength_of(d.diameter);
       for (const double value : {d.diameter, o.pressures[p], static_cast<double>(o.samples),
                                  strength, phi.mean, phi.standard_deviation, broken.mean})
         text += to_text(value) + ",";
@@ -175,8 +172,7 @@ constexpr auto breaks = [](const Result& r) { return r.breaks; };
     const std::string colour = colours[k % std::size(colours)];
     Series envelope{.name = name, .points = {}, .colour = colour, .mark = Mark::circle};
     Series broken = envelope;
-    const double strength =
-        std::pow(d.diameter / o.reference_diameter, -o.strength.dimension / o.strength.modulus);
+    const double strength = o.strength_of(d.diameter);
     for (std::size_t p = 0; p < o.pressures.size(); ++p) {
       const auto phi = d.of(p, angle);
       const double sin_phi = std::sin(phi.mean * std::numbers::pi / 180);
@@ -205,9 +201,7 @@ void print(const std::vector<OfDiameter>& all, const Options& o) {
   std::printf("diameter [mm]  strength  friction angle [degrees] (breaks per particle) at "
               "pressure, and envelope\n");
   for (const OfDiameter& d : all) {
-    std::printf(
-        "%-13g  %-8.3f", 1e3 * d.diameter,
-        std::pow(d.diameter / o.reference_diameter, -o.strength.dimension / o.strength.modulus));
+    std::printf("%-13g  %-8.3f", 1e3 * d.diameter, o.strength_of(d.diameter));
     for (std::size_t p = 0; p < o.pressures.size(); ++p)
       std::printf("  %g MPa: %.1f (%.2f)", 1e-6 * o.pressures[p], d.of(p, angle).mean,
                   d.of(p, breaks).mean);

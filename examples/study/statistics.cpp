@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "statistics.hpp"
 
+#include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
@@ -30,6 +31,16 @@ Statistics statistics_of(const std::vector<double>& values) {
   s.standard_deviation = std::sqrt(squares / (n - 1));
   s.half_interval = t_quantile(0.975, n - 1) * s.standard_deviation / std::sqrt(n);
   return s;
+}
+
+double largest_mean(const std::vector<double>& values, std::size_t window) {
+  double largest = 0;
+  for (std::size_t i = 0; i + window <= values.size(); ++i) {
+    double mean = 0;
+    for (std::size_t k = i; k < i + window; ++k) mean += values[k] / static_cast<double>(window);
+    largest = std::max(largest, mean);
+  }
+  return largest;
 }
 
 }  // namespace run_study

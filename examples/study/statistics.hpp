@@ -22,4 +22,7 @@ struct Statistics {
 };
 Statistics statistics_of(const std::vector<double>& values);
 
+// The largest mean of so many neighbouring values; 0 where there are fewer, or all are below 0.
+double largest_mean(const std::vector<double>& values, std::size_t window);
+
 }  // namespace run_study

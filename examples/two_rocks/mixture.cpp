@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "mixture.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -12,6 +11,8 @@
 #include <riprap/output/material_picture.hpp>
 #include <riprap/particle/share_materials.hpp>
 #include <riprap/riprap.hpp>
+
+#include "../study/statistics.hpp"
 
 namespace two_rocks {
 
@@ -88,13 +89,9 @@ std::vector<MixtureRecord> run(const Mixture& m, const std::filesystem::path& pi
 }
 
 Strength strength_of(const std::vector<MixtureRecord>& records) {
-  constexpr std::size_t window = 5;
-  Strength strength;
-  for (std::size_t i = 0; i + window <= records.size(); ++i) {
-    double mean = 0;
-    for (std::size_t k = i; k < i + window; ++k) mean += records[k].sin_phi / window;
-    strength.peak = std::max(strength.peak, mean);
-  }
+  std::vector<double> sin_phi;
+  for (const MixtureRecord& r : records) sin_phi.push_back(r.sin_phi);
+  Strength strength{.peak = run_study::largest_mean(sin_phi, 5)};
   const double from = 0.75 * records.back().strain;
   double count = 0;
   for (const MixtureRecord& r : records)

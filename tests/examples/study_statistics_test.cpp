@@ -51,3 +51,9 @@ TEST_CASE("few values, and values that are missing") {
   CHECK(two.high() == near_relative(1.5 + 12.7062 / 2, 1e-5));
   CHECK(statistics_of({2, 2, 2}).high() == 2);
 }
+
+TEST_CASE("the largest mean of neighbouring values") {
+  CHECK(largest_mean({1, 4, 2, 6, 3, 0}, 2) == 4.5);
+  CHECK(largest_mean({1, 4, 2, 6, 3, 0}, 6) == near(16.0 / 6, 1e-15));
+  CHECK(largest_mean({1, 4}, 3) == 0);
+}
