@@ -58,15 +58,15 @@ class BondList {
   void update(const Particles& particles, const Domain& domain, std::vector<BondType>& failed,
               const E& execution = {}, bool may_fail = true) {
     losses_.resize(std::max(losses_.size(), task_count(bonds_.size())));
-    for_each_task(execution, bonds_.size(),
-                  [&](std::size_t task, std::size_t first, std::size_t last) {
-                    for (std::size_t k = first; k < last; ++k) {
-                      if (!may_fail)
-                        hold(bonds_[k], particles, domain);
-                      else if (const double loss = evaluate(bonds_[k], particles, domain))
-                        losses_[task].add(loss);
-                    }
-                  });
+    for_each_task(
+        execution, bonds_.size(), [&](std::size_t task, std::size_t first, std::size_t last) {
+          for (std::size_t k = first; k < last; ++k) {
+            if (!may_fail)
+              hold(bonds_[k], particles, domain);
+            else if (const double loss = evaluate(bonds_[k], particles, domain); loss != 0)
+              losses_[task].add(loss);
+          }
+        });
     take_out(particles.size(), failed,
              [](const BondType& bond) { return bond.failure != BondFailure::none; });
     for_each_task(execution, particles.size(),
