@@ -53,34 +53,18 @@ inline Json to_json(const riprap::Grading& grading) {
   return points;
 }
 
-// Breakages so far: of particles, or of clusters, where a fragment comes off.
-template <class Sim>
-std::size_t breakages(const Sim& sim) {
-  std::size_t count = sim.breaks().size();
-  if constexpr (riprap::has_bonds<Sim>)
-    for (const riprap::BondBreak& event : sim.bond_breaks()) count += event.separates;
-  return count;
-}
+// Pairs of fragments that press on each other, per fragment, at each record.
+struct PressedPairs {
+  std::vector<double> per_fragment{};
 
-// An observer that reads fragments of bonded cells as particles.
-struct FragmentRecords {
-  std::size_t breakages_before_shear = 0;
-  std::vector<std::size_t> breakages_in_shear{};
-  std::vector<double> coordination{};  // pairs of fragments that press on each other, per fragment
-
-  template <class Sim>
-  void begin_stage(const riprap::LoadingView<Sim>& view) {
-    if (view.stage == riprap::Stage::shear) breakages_before_shear = breakages(view.sim);
-  }
   template <class Sim>
   void record(const riprap::LoadingView<Sim>& view) {
-    breakages_in_shear.push_back(breakages(view.sim) - breakages_before_shear);
     auto pairs = riprap::loaded_fragment_contacts(view.sim);
     for (auto& pair : pairs) std::ranges::sort(pair);
     std::ranges::sort(pairs);
     const auto repeated = std::ranges::unique(pairs);
     pairs.erase(repeated.begin(), repeated.end());
-    coordination.push_back(static_cast<double>(pairs.size()) /
+    per_fragment.push_back(static_cast<double>(pairs.size()) /
                            static_cast<double>(riprap::fragments(view.sim).size()));
   }
 };
@@ -91,8 +75,8 @@ Json run_model(const ModelType& model, const Case& c) {
   const double begun = processor_seconds();
   Simulation sim{model, c.sample, Rock{}};
   Curve curve;
-  FragmentRecords records;
-  const PathResult result = shear_path(c).run(sim, curve, records);
+  PressedPairs pressed;
+  const PathResult result = shear_path(c).run(sim, curve, pressed);
   const Grading before = grading_before_breakage(sim.particles());
   const Grading after = fragment_grading(sim);
   Json j;
@@ -101,14 +85,14 @@ Json run_model(const ModelType& model, const Case& c) {
   j["time_step_s"] = sim.time_step();
   j["bodies"] = sim.particles().size();
   j["reached_target"] = result.stages.back().reached_target;
-  j["breakages_before_shear"] = records.breakages_before_shear;
+  j["breakages_before_shear"] = curve.breakages_before_shear();
   j["peak_sin_phi"] = curve.peak().sin_phi();
   j["hardin_breakage"] = hardin_breakage(before, after);
   j["energy_error"] = curve.points().back().energy_error();
   for (std::size_t k = 0; k < curve.points().size(); ++k) {
     const CurvePoint& p = curve.points()[k];
-    j["curve"].push_back({p.axial_strain, p.sin_phi(), p.volumetric_strain, records.coordination[k],
-                          records.breakages_in_shear[k]});
+    j["curve"].push_back(
+        {p.axial_strain, p.sin_phi(), p.volumetric_strain, pressed.per_fragment[k], p.breakages});
   }
   j["grading"] = to_json(after);
   return j;

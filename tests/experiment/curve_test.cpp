@@ -4,9 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include <riprap/bond/bond_law/brittle_bond.hpp>
 #include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
 #include <riprap/contact/narrow_phase/overlap_chord.hpp>
+#include <riprap/dynamics/boundary/periodic_cell.hpp>
 #include <riprap/experiment/curve.hpp>
+#include <riprap/particle/bonded_cells.hpp>
+#include <riprap/particle/random_box_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
 #include <support/near.hpp>
 #include <support/still_sample.hpp>
@@ -259,4 +263,31 @@ TEST_CASE("the energy ledger is of shear alone: it does not open in an earlier s
   // The squares are 0.1 % nearer, and slower, from the start.
   CHECK(late.unclosed() == near_relative(lag_of_leapfrog(sim).expected, 4e-3));
   CHECK(late.boundary_work < sim.work().boundary);
+}
+
+TEST_CASE("a curve takes clusters of bonded cells for particles") {
+  Simulation sim{Model{}
+                     .boundary(PeriodicCell{})
+                     .criterion(NeverFails{})
+                     .bond_law(BrittleBond{.tensile_strength = 1e30, .cohesion = 1e30}),
+                 bonded_cells(random_periodic_assembly({.count = 30}), {.count = 5, .seed = 1}),
+                 Rock{}};
+  REQUIRE(sim.particles().size() == 150);
+  sim.step();
+  BiaxialView<decltype(sim)> view{.sim = sim, .stage = Stage::shear};
+  view.mean_diameter = 0.016;
+  view.area = sim.boundary().region(sim.particles()).area();
+  Curve curve;
+  curve.begin_stage(view);
+  curve.record(view);
+  CHECK(curve.points()[0].particles == 30);
+  CHECK(curve.points()[0].breakages == 0);
+  CHECK(curve.points()[0].coordination.coordination_number ==
+        fragment_coordination(sim).coordination_number);
+  const ParticleId first = sim.particles().ancestry(0).root;
+  sim.break_bonds([&](const auto& bond) { return sim.particles().ancestry(bond.a).root == first; });
+  sim.step();
+  curve.record(view);
+  CHECK(curve.points()[1].particles == 34);
+  CHECK(curve.points()[1].breakages == 4);
 }

@@ -69,6 +69,24 @@ TEST_CASE("a cluster on a slab has two contacts, its cells are no rattlers of th
   for (const LoadedContact& contact : loaded_fragment_contacts(sim)) CHECK(contact[0] == 0);
 }
 
+TEST_CASE("a fragment touches another once, with however many cells") {
+  auto sim = bonded_clusters();
+  sim.step();
+  // Three free fragments, each on the slab alone, the clusters on two cells: three contacts that
+  // count half.
+  CHECK(fragment_coordination(sim).contacts_per_particle == 0.5);
+  CHECK(fragment_coordination(sim).coordination_number == 1);
+  CHECK(coordination(sim.contacts(), sim.particles()).coordination_number ==
+        near_relative(5.0 / 9, 1e-15));
+  // Now each upper cell of the first cluster rests on a lower one; side by side they do not
+  // overlap.
+  sim.break_bonds([](const auto& bond) { return bond.a < 5; });
+  sim.step();
+  CHECK(fragment_count(sim) == 7);
+  CHECK(fragment_coordination(sim).coordination_number == near_relative((4.0 + 2 * 2) / 6, 1e-15));
+  CHECK(breakages(sim) == 3);
+}
+
 TEST_CASE("in a model without bonds every body is a fragment") {
   const Simulation sim{Model{}, random_assembly({.count = 30, .seed = 2}), Rock{}};
   const std::vector<Fragment> all = fragments(sim);

@@ -15,13 +15,15 @@
 #include <riprap/measurement/dimensionless.hpp>
 #include <riprap/measurement/energy_ledger.hpp>
 #include <riprap/measurement/fabric.hpp>
+#include <riprap/measurement/fragments.hpp>
 #include <riprap/measurement/porosity.hpp>
 #include <riprap/measurement/stress_force_fabric.hpp>
 #include <riprap/simulation/break_event.hpp>
 
 namespace riprap {
 
-/// One state of a test; SI units, strains and ratios as fractions.
+/// One state of a test; SI units, strains and ratios as fractions. Of a model with bonds the
+/// particles, their coordination and breakages are those of fragments; the fabric, of all contacts.
 struct CurvePoint {
   double axial_strain = 0;
   double volumetric_strain = 0;
@@ -112,7 +114,7 @@ class Curve {
   void begin_stage(const BiaxialView<Sim>& view) {
     if (view.stage != Stage::loading || view.loading_stage > 0) return;
     ledger_.open(view.sim);
-    breakages_before_shear_ = view.sim.breaks().size();
+    breakages_before_shear_ = riprap::breakages(view.sim);
   }
   template <class Sim>
   void record(const BiaxialView<Sim>& view) {
@@ -162,9 +164,9 @@ class Curve {
     p.inner_stress = average_stress_within(
         view.sim.interactions(), Ellipse{inner_share * Vec2(region.semi_axes()), centre_of(region)},
         particles.thickness());
-    p.coordination = coordination(contacts, particles);
-    p.particles = particles.size();
-    p.breakages = view.sim.breaks().size() - breakages_before_shear_;
+    p.coordination = fragment_coordination(view.sim);
+    p.particles = fragment_count(view.sim);
+    p.breakages = riprap::breakages(view.sim) - breakages_before_shear_;
     p.fabric = fabric(contact_samples(contacts));
     p.inertial_number = inertial_number(view.strain_rate(), view.mean_diameter,
                                         particles.mean_density(), p.stress.mean());

@@ -3,6 +3,8 @@
 /// @file
 /// Fragments: the parts of a bonded sample that live bonds hold together.
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -11,6 +13,7 @@
 
 #include <riprap/bond/components.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
+#include <riprap/measurement/coordination.hpp>
 #include <riprap/measurement/energy.hpp>
 #include <riprap/measurement/grading.hpp>
 #include <riprap/measurement/rattlers.hpp>
@@ -55,6 +58,13 @@ template <class Sim>
   }
 }
 
+/// Number of fragments, walls and platens included.
+template <class Sim>
+[[nodiscard]] std::size_t fragment_count(const Sim& sim) {
+  const std::vector<std::uint32_t> numbers = fragment_numbers(sim);
+  return numbers.empty() ? 0 : *std::ranges::max_element(numbers) + std::size_t{1};
+}
+
 /// The fragments of a simulation, walls and platens left out, in the order of their lowest bodies.
 template <class Sim>
 [[nodiscard]] std::vector<Fragment> fragments(const Sim& sim) {
@@ -88,6 +98,41 @@ template <class Sim>
     if (fragment.is_free) add(fragment.area);
   for (const DustPiece& piece : sim.particles().dust()) add(piece.area);
   return Grading::of_fractions(std::move(fractions));
+}
+
+/// Breakages so far: of particles, and of clusters, where a fragment has come off.
+template <class Sim>
+[[nodiscard]] std::size_t breakages(const Sim& sim) {
+  std::size_t count = sim.breaks().size();
+  if constexpr (has_bonds<Sim>)
+    for (const auto& event : sim.bond_breaks()) count += event.separates;
+  return count;
+}
+
+/// As `coordination`, of free fragments: one touches another once, with however many of its bodies.
+template <class Sim>
+[[nodiscard]] Coordination fragment_coordination(const Sim& sim) {
+  if constexpr (!has_bonds<Sim>) {
+    return coordination(sim.contacts(), sim.particles());
+  } else {
+    const std::vector<std::uint32_t> numbers = fragment_numbers(sim);
+    std::vector<bool> is_free(numbers.size(), false);
+    for (const Fragment& fragment : fragments(sim)) is_free[fragment.number] = fragment.is_free;
+    std::vector<std::array<std::uint32_t, 2>> pairs;
+    sim.contacts().for_each_touching([&](const auto& c) {
+      const auto [first, second] = std::minmax(numbers[c.a], numbers[c.b]);
+      if (first != second) pairs.push_back({first, second});
+    });
+    std::ranges::sort(pairs);
+    pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
+    std::size_t ends = 0;
+    for (const auto& pair : pairs)
+      for (const std::uint32_t number : pair) ends += is_free[number];
+    const auto free = std::ranges::count(is_free, true);
+    if (free == 0) return {};
+    const double mean = static_cast<double>(ends) / static_cast<double>(free);
+    return {0.5 * mean, mean};
+  }
 }
 
 /// Contacts with a force between two fragments, by the fragments' numbers.
