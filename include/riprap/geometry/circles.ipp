@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <queue>
 #include <utility>
 #include <vector>
 
+#include <riprap/core/errors.hpp>
 #include <riprap/geometry/circles.hpp>
 #include <riprap/geometry/line_side.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
+#include <riprap/geometry/ring_distance.hpp>
 
 namespace riprap {
 
@@ -65,6 +71,27 @@ namespace internal {
   return (v - circle.centre).norm() > circle.radius * (1 + 1e-14);
 }
 
+/// Of a point from the nearest edge of a simple ring [m], negative outside.
+[[nodiscard]] inline double depth_inside(const Vec2& x, Ring ring) {
+  bool inside = false;  // a ray to the right crosses an odd number of edges
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Vec2& p = ring[k];
+    const Vec2& q = ring[next_vertex(k, ring.size())];
+    if ((p.y() > x.y()) != (q.y() > x.y()) && (LineSide(p, q)(x) > 0) == (q.y() > p.y()))
+      inside = !inside;
+  }
+  return inside ? distance_to_ring(x, ring) : -distance_to_ring(x, ring);
+}
+
+/// A square in which circles may be centred, and a bound on their radii [m].
+struct CentreSquare {
+  Vec2 centre{0, 0};
+  double half_side = 0;
+  double bound = 0;
+
+  friend bool operator<(const CentreSquare& a, const CentreSquare& b) { return a.bound < b.bound; }
+};
+
 }  // namespace internal
 
 RIPRAP_INLINE Circle inscribed_circle(const ConvexPolygon& polygon) {
@@ -82,6 +109,34 @@ RIPRAP_INLINE Circle inscribed_circle(const ConvexPolygon& polygon) {
   return {internal::middle_of_diameter(centres), possible};
 }
 
+RIPRAP_INLINE Circle inscribed_circle(const Outline& outline, double tolerance) {
+  require(tolerance >= 1e-6 && tolerance < 1, "tolerance of the inscribed circle", tolerance,
+          "must lie in [1e-6, 1)");
+  const Ring ring = outline.ring();
+  Vec2 lowest = ring[0];
+  Vec2 highest = ring[0];
+  for (const Vec2& v : ring) {
+    lowest = componentwise_min(lowest, v);
+    highest = componentwise_max(highest, v);
+  }
+  Circle best;
+  std::priority_queue<internal::CentreSquare> squares;
+  const auto add = [&](const Vec2& centre, double half_side) {
+    const double depth = internal::depth_inside(centre, ring);
+    if (depth > best.radius) best = {centre, depth};
+    squares.push({centre, half_side, depth + std::numbers::sqrt2 * half_side});
+  };
+  add(lowest + 0.5 * (highest - lowest), 0.5 * (highest - lowest).maxCoeff());
+  while (squares.top().bound > best.radius * (1 + tolerance)) {
+    const internal::CentreSquare square = squares.top();
+    squares.pop();
+    const double half = 0.5 * square.half_side;
+    for (const double x : {-half, half})
+      for (const double y : {-half, half}) add(square.centre + Vec2{x, y}, half);
+  }
+  return best;
+}
+
 RIPRAP_INLINE Circle circumscribed_circle(Ring ring) {
   Circle circle{ring[0], 0};
   for (std::size_t i = 1; i < ring.size(); ++i) {
@@ -96,6 +151,25 @@ RIPRAP_INLINE Circle circumscribed_circle(Ring ring) {
     }
   }
   return circle;
+}
+
+RIPRAP_INLINE Circle least_squares_circle(std::span<const Vec2> points) {
+  const auto n = static_cast<double>(points.size());
+  Vec2 mean{0, 0};
+  for (const Vec2& p : points) mean += p / n;
+  // Of x^2 + y^2 - 2 centre . (x, y), about the mean: two normal equations.
+  double xx = 0, xy = 0, yy = 0;
+  Vec2 right{0, 0};
+  for (const Vec2& p : points) {
+    const Vec2 d = p - mean;
+    xx += d.x() * d.x();
+    xy += d.x() * d.y();
+    yy += d.y() * d.y();
+    right += d * (0.5 * d.dot(d));
+  }
+  const Vec2 centre =
+      Vec2{yy * right.x() - xy * right.y(), xx * right.y() - xy * right.x()} / (xx * yy - xy * xy);
+  return {mean + centre, std::sqrt(centre.dot(centre) + (xx + yy) / n)};
 }
 
 }  // namespace riprap

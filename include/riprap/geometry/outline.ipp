@@ -10,18 +10,11 @@
 #include <riprap/geometry/line_side.hpp>
 #include <riprap/geometry/outline.hpp>
 #include <riprap/geometry/polygon_properties.hpp>
+#include <riprap/geometry/ring_distance.hpp>
 
 namespace riprap {
 
 namespace internal {
-
-/// From x to the nearest point of the segment pq [m].
-[[nodiscard]] inline double distance_to_segment(const Vec2& x, const Vec2& p, const Vec2& q) {
-  const Vec2 along = q - p;
-  const double length = along.dot(along);
-  const double share = length > 0 ? std::clamp(along.dot(x - p) / length, 0.0, 1.0) : 0.0;
-  return (x - (p + share * along)).norm();
-}
 
 /// Whether two segments cross, or come closer than `tolerance` [m]. Segments that do not cross are
 /// nearest at an end of one of them.
@@ -67,7 +60,7 @@ RIPRAP_INLINE void Outline::drop_straight_vertices(double tolerance) {
     const std::size_t n = vertices_.size();
     const Vec2& before = vertices_[previous_vertex(i, n)];
     const Vec2& after = vertices_[next_vertex(i, n)];
-    if (internal::distance_to_segment(vertices_[i], before, after) <= tolerance)
+    if (distance_to_segment(vertices_[i], before, after) <= tolerance)
       vertices_.erase(vertices_.begin() + static_cast<std::ptrdiff_t>(i));
     else
       ++i;
@@ -92,8 +85,7 @@ RIPRAP_INLINE void Outline::check_simple(double tolerance) const {
     const std::size_t next = next_vertex(i, n);
     // Neighbours share a corner: they must not lie on each other.
     const Vec2& c = vertices_[next_vertex(next, n)];
-    if (internal::distance_to_segment(c, a, b) <= tolerance ||
-        internal::distance_to_segment(a, b, c) <= tolerance)
+    if (distance_to_segment(c, a, b) <= tolerance || distance_to_segment(a, b, c) <= tolerance)
       fail(i, next);
     for (std::size_t k = i + 2; k < n; ++k) {
       if (next_vertex(k, n) == i) continue;

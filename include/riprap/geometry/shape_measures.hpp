@@ -5,8 +5,7 @@
 /// change. Optional: not part of riprap.hpp.
 ///
 /// `aspect` of polygon_properties.hpp, the largest Feret diameter over the least, is one of them.
-/// The roundness of H. Wadell (J. Geol. 40, 1932), the mean radius of corners over that of the
-/// inscribed circle, is not here: corners of a polygon have no radius.
+/// Wadell's roundness, of digitised outlines, is in wadell_roundness.hpp.
 
 #include <algorithm>
 #include <cmath>
