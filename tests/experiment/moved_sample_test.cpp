@@ -25,7 +25,7 @@ using namespace riprap::test;
 
 namespace {
 
-constexpr RandomAssembly few{.count = 40, .seed = 2};
+const RandomAssembly few{.count = 40, .seed = 2};
 
 Assembly assembly_for(const StrainField&) { return random_assembly(few); }
 Assembly assembly_for(const RigidPlatens&) { return random_platen_assembly(few); }
