@@ -53,6 +53,10 @@ if(TARGET nlohmann_json::nlohmann_json AND TARGET CLI11::CLI11)
        ${PROJECT_SOURCE_DIR}/examples/biaxial/*options.cpp)
   riprap_example_part(riprap_biaxial_options
     LIBRARIES riprap_command_line SOURCES ${sources} biaxial/policies.cpp)
+  # The options refuse several threads where there is no OpenMP.
+  if(TARGET riprap::threads)
+    target_link_libraries(riprap_biaxial_options PRIVATE riprap::threads)
+  endif()
   # All of the study of a table but its program.
   file(GLOB sources RELATIVE ${PROJECT_SOURCE_DIR}/examples CONFIGURE_DEPENDS
        ${PROJECT_SOURCE_DIR}/examples/study/*.cpp)

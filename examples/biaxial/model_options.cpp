@@ -129,6 +129,25 @@ void add_criterion(OptionTable& table, Options& o) {
                    "of the strength curve [-]", criterion);
 }
 
+void add_scatter(OptionTable& table, Options& o) {
+  const std::string scatter = "--strength-scatter";
+  table.add_choice(scatter, o.strength_scatter, {"none", "weibull"},
+                   "of the strengths of particles, drawn with the seed of the sample");
+  table.add_number("--weibull-modulus",
+                   Numbers{{&o.weibull.modulus, "WeibullStrength.modulus", "weibull"}},
+                   "the higher, the more alike the particles [-]", scatter);
+  table.add_number("--weibull-dimension",
+                   Numbers{{&o.weibull.dimension, "WeibullStrength.dimension", "weibull"}},
+                   "strength falls with size d as d^(-dimension / modulus): 3, flaws by volume, 2, "
+                   "by area, 0, not at all [-]",
+                   scatter);
+  table.add_number("--strength-diameter",
+                   Numbers{{&o.strength_diameter, "strength diameter", "weibull"}},
+                   "at which the characteristic strength is that of the criterion or of the "
+                   "trigger [m]",
+                   scatter);
+}
+
 void add_breakage(OptionTable& table, Options& o) {
   table.begin_group("Breakage");
   table.add_choice("--breakage", o.breakage, {"on", "off"}, "may particles break?");
@@ -141,13 +160,15 @@ void add_breakage(OptionTable& table, Options& o) {
                    "force, the equivalent diametral compression");
   table.add_number(
       "--ratf",
-      Numbers{{&o.failed_elements.critical, "FailedElementRatio.critical", "failed-elements"}},
+      Numbers{{&o.failed_elements.critical, "FailedElementRatio.critical", "failed-elements"},
+              {&o.weibull.critical, "WeibullStrength.critical", "failed-elements"}},
       "share of failed elements that breaks a particle [-]", trigger);
   table.add_number("--particle-strength",
                    Numbers{{&o.brazilian.strength, "BrazilianStrength.strength", "brazilian"},
                            {&o.hertzian.pressure, "HertzianStrength.pressure", "hertz"},
                            {&o.tsoungui.strength, "TsounguiStrength.strength", "tsoungui"}},
                    "Brazilian strength, or the largest pressure of a contact [Pa]", trigger);
+  add_scatter(table, o);
   table.add_choice("--line-fit", o.line_fit,
                    {"xy", "x", "y", "xy-mean-stress", "mean-tension", "tls", "plane",
                     "loaded-diameter", "mean-stress", "mean-stress-plane"},

@@ -21,13 +21,14 @@ inline auto breakable_model(const Options& o) {
       .execution(AnyExecution{static_cast<int>(o.threads)});
 }
 
-// The same with a choice of contact, integrator and support.
+// The same with a choice of contact, integrator and support, and of scatter of the strengths.
 inline auto model_of_choices(const Options& o) {
   return breakable_model(o)
       .narrow_phase(chosen_narrow_phase(o))
       .contact_law(chosen_contact(o))
       .time_step(chosen_time_step(o))
       .integrator(chosen_integrator(o))
+      .trigger(chosen_element_trigger(o))
       .support(chosen_support(o));
 }
 

@@ -66,6 +66,10 @@ void apply_preset(OptionTable& table, Options& o) {
                  "--trigger",
                  "--ratf",
                  "--particle-strength",
+                 "--strength-scatter",
+                 "--weibull-modulus",
+                 "--weibull-dimension",
+                 "--strength-diameter",
                  "--line-fit"},
                 "--preset");
   if (o.preset == "recommended") o.line_fit = "mean-tension";
@@ -119,7 +123,7 @@ void check_combination(const Options& o) {
   if (o.timer && !o.compiled_in())
     throw CLI::ValidationError("--timer",
                                "goes with the default preset, boundary, contact law, integrator, "
-                               "support and trigger only");
+                               "support, trigger and scatter only");
 }
 
 // The options with what reads them.

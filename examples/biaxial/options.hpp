@@ -55,7 +55,10 @@ struct Options {
   riprap::BrazilianStrength brazilian{};
   riprap::HertzianStrength hertzian{};
   riprap::TsounguiStrength tsoungui{};
-  std::string line_fit = "xy";  // another one goes with each trigger by the loads
+  std::string strength_scatter = "none";
+  riprap::WeibullStrength weibull{};  // `critical` is that of the failed elements
+  double strength_diameter = 0.016;   // at which strengths are those of the rock [m]
+  std::string line_fit = "xy";        // another one goes with each trigger by the loads
   riprap::StraightCut splitter{};
   unsigned check_every = 1;
 
@@ -69,11 +72,12 @@ struct Options {
   command_line::OptionNames names{};
   std::string toml{};
 
-  // Do preset, contact law, integrator, support, boundary and trigger have their defaults, for
-  // which there are programs without choices?
+  // Do preset, contact law, integrator, support, boundary, trigger and scatter have their defaults,
+  // for which there are programs without choices?
   [[nodiscard]] bool compiled_in() const {
     return preset == "model" && contact == "energy-conserving" && integrator == "euler" &&
-           support == "inertia-relief" && boundary == "particles" && !breaks_by_loads();
+           support == "inertia-relief" && boundary == "particles" && !breaks_by_loads() &&
+           strength_scatter == "none";
   }
   // Does the trigger need no finite elements? Then the line fit needs none either.
   [[nodiscard]] bool breaks_by_loads() const { return trigger != "failed-elements"; }

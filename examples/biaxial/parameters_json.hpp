@@ -2,6 +2,7 @@
 #pragma once
 // Every parameter of a biaxial test, for the summary.
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <variant>
 
@@ -64,7 +65,19 @@ inline Json trigger_json(const riprap::TsounguiStrength& t) {
   return {{"name", "tsoungui"}, {"strength_Pa", t.strength}};
 }
 inline Json trigger_json(const AnyLoadTrigger& trigger) {
-  return std::visit([](const auto& t) { return trigger_json(t); }, trigger.chosen);
+  return std::visit([](const auto& t) { return trigger_json(t); }, trigger.trigger.chosen);
+}
+// Null where strengths do not scatter.
+template <riprap::Trigger T>
+Json scatter_json(const T& trigger) {
+  if constexpr (riprap::HasStrengthFactor<T>)
+    if (!std::isinf(trigger.modulus))
+      return {{"name", "weibull"},
+              {"modulus", trigger.modulus},
+              {"dimension", trigger.dimension},
+              {"reference_area_m2", trigger.reference_area},
+              {"seed", trigger.seed}};
+  return nullptr;
 }
 
 template <class Law>
@@ -120,6 +133,7 @@ Json breakage_json(const Options& o, const Sim& sim) {
   } else {
     j["trigger"] = trigger_json(breakage.trigger);
   }
+  j["strength_scatter"] = scatter_json(breakage.trigger);
   j["line_fit"] = o.line_fit;
   j["minimum_piece_area"] = breakage.splitter.minimum_area;
   j["maximum_piece_aspect"] = breakage.splitter.maximum_aspect;

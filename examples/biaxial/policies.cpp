@@ -3,6 +3,9 @@
 
 #include "policies.hpp"
 
+#include <limits>
+#include <numbers>
+
 AnyCriterion chosen_criterion(const Options& options) {
   if (options.criterion == "mohr-coulomb") return {options.mohr_coulomb};
   if (options.criterion == "griffith") return {options.griffith};
@@ -26,11 +29,30 @@ AnyLineFit chosen_line_fit(const Options& options) {
   return {riprap::WeightedXY{}};
 }
 
+riprap::WeibullStrength chosen_element_trigger(const Options& options) {
+  riprap::WeibullStrength strength = options.weibull;
+  if (options.strength_scatter == "none") {
+    strength.modulus = std::numeric_limits<double>::infinity();
+    return strength;
+  }
+  riprap::require_positive("strength diameter", options.strength_diameter);
+  strength.reference_area =
+      0.25 * std::numbers::pi * options.strength_diameter * options.strength_diameter;
+  strength.seed = options.assembly.seed;
+  return strength;
+}
+
 AnyLoadTrigger chosen_load_trigger(const Options& options) {
-  if (options.trigger == "mean-stress") return {riprap::MeanStressFailure{}};
-  if (options.trigger == "hertz") return {options.hertzian};
-  if (options.trigger == "tsoungui") return {options.tsoungui};
-  return {options.brazilian};
+  const riprap::WeibullStrength strength = chosen_element_trigger(options);
+  AnyLoadTrigger any{.trigger = {options.brazilian},
+                     .modulus = strength.modulus,
+                     .reference_area = strength.reference_area,
+                     .seed = strength.seed,
+                     .dimension = strength.dimension};
+  if (options.trigger == "mean-stress") any.trigger.chosen = riprap::MeanStressFailure{};
+  if (options.trigger == "hertz") any.trigger.chosen = options.hertzian;
+  if (options.trigger == "tsoungui") any.trigger.chosen = options.tsoungui;
+  return any;
 }
 
 AnyLoadLineFit chosen_load_line_fit(const Options& options) {

@@ -26,9 +26,10 @@ using AnyLineFit = riprap::LineFitChoice<
     riprap::WeightedXY, riprap::WeightedX, riprap::WeightedY, riprap::WeightedXYByMeanStress,
     riprap::MeanTensionLine, riprap::TotalLeastSquares, riprap::FailurePlaneThroughCentroid,
     riprap::LoadedDiameter, riprap::MeanStressLine, riprap::MeanStressFailurePlane>;
-// Of those that need no finite elements.
-using AnyLoadTrigger = riprap::TriggerChoice<riprap::BrazilianStrength, riprap::MeanStressFailure,
-                                             riprap::HertzianStrength, riprap::TsounguiStrength>;
+// Of those that need no finite elements; without scatter the modulus is infinite.
+using AnyLoadTrigger = riprap::WithWeibullStrength<
+    riprap::TriggerChoice<riprap::BrazilianStrength, riprap::MeanStressFailure,
+                          riprap::HertzianStrength, riprap::TsounguiStrength>>;
 using AnyLoadLineFit = riprap::LineFitChoice<riprap::LoadedDiameter, riprap::MeanStressLine,
                                              riprap::MeanStressFailurePlane>;
 using AnyContact = riprap::ContactLawChoice<riprap::EnergyConservingSpring,
@@ -55,6 +56,9 @@ static_assert(riprap::Execution<AnyExecution>);
 
 AnyCriterion chosen_criterion(const Options& options);
 AnyLineFit chosen_line_fit(const Options& options);
+// The failed-element ratio; without scatter the modulus is infinite. Throws InvalidInput for a
+// strength diameter that is not above 0.
+riprap::WeibullStrength chosen_element_trigger(const Options& options);
 AnyLoadTrigger chosen_load_trigger(const Options& options);
 AnyLoadLineFit chosen_load_line_fit(const Options& options);
 AnyPlane chosen_plane(const Options& options);

@@ -6,6 +6,7 @@
 
 #include <riprap/breakage/trigger/failed_area_ratio.hpp>
 #include <riprap/breakage/trigger/failed_element_ratio.hpp>
+#include <riprap/breakage/trigger/weibull_strength.hpp>
 #include <riprap/experiment/biaxial_test.hpp>
 #include <riprap/particle/random_placement.hpp>
 
@@ -40,4 +41,5 @@ inline nlohmann::ordered_json test_json(const riprap::BiaxialTest& t) {
 
 // RatF is of a measure.
 inline const char* rat_measure(const riprap::FailedElementRatio&) { return "elements"; }
+inline const char* rat_measure(const riprap::WeibullStrength&) { return "elements"; }
 inline const char* rat_measure(const riprap::FailedAreaRatio&) { return "area"; }

@@ -73,6 +73,7 @@ Options read_options(int argc, char** argv) {
   app.add_option("--where", o.where, "OPTION=VALUE that is shown in plots; several times")
       ->type_name("TEXT")
       ->group("Results");
+  table.add_flag("--log-x", o.log_x, "plots have a logarithmic axis of x");
   command_line::parse_or_exit(app, [&] { app.parse(argc, argv); });
   if (out.empty()) out = fs::path(o.table).stem().string();
   o.making.folder = out;

@@ -20,6 +20,7 @@ struct Options {
   std::string against{};
   std::vector<std::string> plots{};
   std::vector<std::string> where{};
+  bool log_x = false;
 };
 
 // Exits on --help and on a command that is wrong.

@@ -42,6 +42,14 @@ double x_of(const FinishedRun& run, const std::string& name) {
   return *number;
 }
 
+void require_place(const riprap::Chart& chart) {
+  for (const riprap::Series& s : chart.series)
+    for (const riprap::Vec2& p : s.points)
+      if (p.x() <= 0)
+        throw InvalidInput("--log-x: " + chart.x_label + " = " + riprap::to_text(p.x()) +
+                           ": must be above 0 on a logarithmic axis");
+}
+
 bool is_shown(const Combination& c, const Plot& plot) {
   return std::ranges::all_of(plot.where, [&](const Against& w) {
     return is_same_value(value_of(c.first(), w.option), w.value);
@@ -160,6 +168,10 @@ riprap::Chart chart_of(const Plot& plot, const Study& study, const std::vector<C
   }
   // Over the points of all curves.
   chart.series.insert(chart.series.end(), means.begin(), means.end());
+  if (plot.log_x) {
+    require_place(chart);
+    chart.x_scale = riprap::AxisScale::logarithmic;
+  }
   shorten_x(chart);
   return chart;
 }

@@ -17,6 +17,7 @@ struct Plot {
   std::string x;                 // an option with numbers, or a result
   std::string group{};           // an option or "row", a curve for each of its values; or none
   std::vector<Against> where{};  // options with the value that is shown
+  bool log_x = false;            // x on a logarithmic axis
 };
 // From "Y:X" or "Y:X:GROUP", and "OPTION=VALUE" each. Throws riprap::InvalidInput.
 Plot plot_from(const std::string& text, const std::vector<std::string>& where);
@@ -24,8 +25,8 @@ Plot plot_from(const std::string& text, const std::vector<std::string>& where);
 // Throws riprap::InvalidInput for names that there are not.
 void check_plot(const Plot& plot, const Study& study);
 
-// Throws riprap::InvalidInput for an x that is no number, and if two
-// combinations of a curve have the same x.
+// Throws riprap::InvalidInput for an x that is no number or, on a logarithmic axis, not above 0,
+// and if two combinations of a curve have the same x.
 riprap::Chart chart_of(const Plot& plot, const Study& study, const std::vector<Combination>& all);
 
 // "breakages_pressure_contact.svg"

@@ -54,6 +54,7 @@ Wanted wanted_results(const Study& study, const Options& o) {
   if (!o.against.empty()) wanted.against = against_from(o.against, study.runs);
   for (const std::string& text : o.plots) {
     wanted.plots.push_back(plot_from(text, o.where));
+    wanted.plots.back().log_x = o.log_x;
     check_plot(wanted.plots.back(), study);
   }
   return wanted;

@@ -5,18 +5,22 @@
 #include <doctest/doctest.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include <riprap/output/file.hpp>
 #include <support/message_of.hpp>
+#include <support/near.hpp>
 #include <support/temporary_file.hpp>
 
 using riprap::test::contains;
 using riprap::test::message_of;
+using riprap::test::near_relative;
 
 namespace {
 
@@ -51,7 +55,7 @@ std::string error_of(const Arguments& arguments) {
         .time_step(o.time_step)
         .mesher(o.mesher)
         .criterion(chosen_criterion(o))
-        .trigger(o.failed_elements)
+        .trigger(chosen_element_trigger(o))
         .splitter(o.splitter)
         .check_every(o.check_every)
         .validate();
@@ -89,7 +93,9 @@ TEST_CASE("the file of parameters repeats the run, whatever was chosen") {
       {"--criterion", "modified-griffith", "--crack-friction", "0.9"},
       {"--criterion", "murrell"},
       {"--criterion", "hobbs", "--hobbs-factor", "4", "--strength-exponent", "0.6"},
-      {"--criterion", "franklin", "--compressive-strength", "2e8", "--strength-exponent", "0.9"}};
+      {"--criterion", "franklin", "--compressive-strength", "2e8", "--strength-exponent", "0.9"},
+      {"--strength-scatter", "weibull", "--weibull-modulus", "3.3333333333333335",
+       "--weibull-dimension", "3", "--strength-diameter", "0.02"}};
   for (const Arguments& arguments : runs) {
     const Options first = options_from(arguments);
     CAPTURE(first.toml);
@@ -105,6 +111,8 @@ TEST_CASE("the file of parameters repeats the run, whatever was chosen") {
     CHECK(again.dashpot.may_pull == first.dashpot.may_pull);
     CHECK(again.hoek_brown.angle == first.hoek_brown.angle);
     CHECK(again.hobbs.exponent == first.hobbs.exponent);
+    CHECK(again.weibull.modulus == first.weibull.modulus);
+    CHECK(again.strength_diameter == first.strength_diameter);
     // What changes no result is not in it.
     for (const std::string name : {"\nout =", "\nthreads =", "\ntimer =", "\nconfig ="})
       CHECK(!contains(first.toml, name));
@@ -203,6 +211,7 @@ TEST_CASE(
                                  "hoek-brown-angle",
                                  "trigger",
                                  "ratf",
+                                 "strength-scatter",
                                  "line-fit",
                                  "minimum-piece-area",
                                  "maximum-piece-aspect",
@@ -268,6 +277,12 @@ TEST_CASE("a value that breaks a rule of the library is refused by the name of i
       {{"--strength-exponent", "0", "--criterion", "hobbs"}, "--strength-exponent = 0: "},
       {{"--strength-exponent", "0", "--criterion", "franklin"}, "--strength-exponent = 0: "},
       {{"--ratf", "-0.1"}, "--ratf = -0.1: "},
+      {{"--weibull-modulus", "0", "--strength-scatter", "weibull"},
+       "--weibull-modulus = 0: must be a number above 0"},
+      {{"--weibull-dimension", "-1", "--strength-scatter", "weibull"},
+       "--weibull-dimension = -1: must be a finite number, 0 or above"},
+      {{"--strength-diameter", "-0.01", "--strength-scatter", "weibull"},
+       "--strength-diameter = -0.01: must be a finite number above 0"},
       {{"--minimum-piece-area", "-1"}, "--minimum-piece-area = -1: "},
       {{"--maximum-piece-aspect", "0.5"}, "--maximum-piece-aspect = 0.5: "},
       {{"--check-every", "0"}, "--check-every = 0: "}};
@@ -285,6 +300,9 @@ TEST_CASE("parameters of a law or a criterion that is not chosen are refused, no
                               {"--crack-friction", "0.5", "--criterion", "griffith"},
                               {"--hobbs-factor", "4", "--criterion", "franklin"},
                               {"--hoek-brown-angle", "tangent", "--criterion", "hobbs"},
+                              {"--weibull-modulus", "4"},
+                              {"--weibull-dimension", "3", "--trigger", "brazilian"},
+                              {"--strength-diameter", "0.01", "--strength-scatter", "none"},
                               {"--damping-ratio", "0.1"},
                               {"--dashpot-may-pull", "--contact", "area"},
                               {"--normal-stiffness", "1e7", "--contact", "area"},
@@ -339,7 +357,8 @@ TEST_CASE("each name of a trigger by the loads stands for one, with a line fit o
     const Options o = options_from({"--trigger", name});
     CHECK(o.breaks_by_loads());
     CHECK(!o.compiled_in());
-    CHECK_MESSAGE(std::holds_alternative<decltype(trigger)>(chosen_load_trigger(o).chosen), name);
+    const AnyLoadTrigger chosen = chosen_load_trigger(o);
+    CHECK_MESSAGE(std::holds_alternative<decltype(trigger)>(chosen.trigger.chosen), name);
     CHECK_MESSAGE(std::holds_alternative<decltype(fit)>(chosen_load_line_fit(o).chosen), name);
     CHECK(read_back(o.toml).toml == o.toml);
   };
@@ -364,6 +383,51 @@ TEST_CASE("options of a trigger go with it alone") {
   CHECK(contains(refusal({"--trigger", "brazilian", "--ratf", "0.3"}), "--ratf: "));
   CHECK(contains(refusal({"--trigger", "brazilian", "--line-fit", "xy"}), "--line-fit: "));
   CHECK(contains(refusal({"--trigger", "brazilian", "--preset", "paper"}), "--trigger: "));
+}
+
+TEST_CASE("strengths scatter by Weibull's law, with any trigger, by the seed of the sample") {
+  const Options none = options_from({"--ratf", "0.3", "--seed", "7"});
+  CHECK(none.compiled_in());
+  CHECK(chosen_element_trigger(none).critical == 0.3);
+  CHECK(!contains(none.toml, "weibull"));
+  const std::vector<std::string> weibull{"--strength-scatter",
+                                         "weibull",
+                                         "--weibull-modulus",
+                                         "4",
+                                         "--weibull-dimension",
+                                         "3",
+                                         "--strength-diameter",
+                                         "0.02",
+                                         "--mean-diameter",
+                                         "0.005",
+                                         "--seed",
+                                         "7",
+                                         "--trigger"};
+  const auto with = [&](const std::string& trigger) {
+    std::vector<std::string> arguments = weibull;
+    arguments.push_back(trigger);
+    return options_from(arguments);
+  };
+  const Options o = with("failed-elements");
+  CHECK(!o.compiled_in());
+  const riprap::WeibullStrength elements = chosen_element_trigger(o);
+  CHECK(elements.seed == 7);
+  const double area = 0.25 * std::numbers::pi * 0.02 * 0.02;
+  CHECK(elements.reference_area == near_relative(area, 1e-14));
+  const AnyLoadTrigger loads = chosen_load_trigger(with("hertz"));
+  CHECK(std::holds_alternative<riprap::HertzianStrength>(loads.trigger.chosen));
+  for (const riprap::ParticleId id : {0U, 5U, 77U}) {
+    CHECK(chosen_element_trigger(none).strength_factor(id, 1e-4) == 1);
+    CHECK(chosen_load_trigger(none).strength_factor(id, 1e-4) == 1);
+    CHECK(loads.strength_factor(id, area) == elements.strength_factor(id, area));
+    // A quarter of the diameter: 4^(3 / 4) times the strength.
+    CHECK(elements.strength_factor(id, area / 16) / elements.strength_factor(id, area) ==
+          near_relative(std::pow(4, 0.75), 1e-13));
+  }
+  CHECK(contains(refusal({"--strength-scatter", "weibull", "--preset", "paper"}),
+                 "--strength-scatter: is set by --preset paper"));
+  CHECK(contains(refusal({"--strength-scatter", "weibull", "--timer"}), "--timer: "));
+  CHECK(contains(refusal({"--strength-scatter", "normal"}), "--strength-scatter: "));
 }
 
 TEST_CASE("A run that goes on has the options of its folder, but for a few") {

@@ -101,7 +101,8 @@ TEST_CASE("the table of the paper's study has the runs of examples/paper") {
 }
 
 TEST_CASE("the tables that come with the example can be read") {
-  for (const std::string name : {"paper", "contact_models", "sensitivity", "pressures"}) {
+  for (const std::string name :
+       {"paper", "contact_models", "sensitivity", "pressures", "size_effect"}) {
     CAPTURE(name);
     const auto table = run_study::study_of(
         run_study::read_table(std::string(RIPRAP_STUDY_TABLES "/") + name + ".toml"));

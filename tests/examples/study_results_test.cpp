@@ -157,6 +157,12 @@ TEST_CASE("points of all runs, means with their intervals") {
   REQUIRE(over_result.series.size() == 4);
   CHECK(over_result.series[2].name == "pressure 1e+06");
   CHECK(!over_result.series[2].line);
+  CHECK(chart.x_scale == riprap::AxisScale::linear);
+  Plot logarithmic = plot_from("peak_sin_phi:pressure", {});
+  logarithmic.log_x = true;
+  const riprap::Chart over_log = chart_of(logarithmic, sleep.study, all);
+  CHECK(over_log.x_scale == riprap::AxisScale::logarithmic);
+  CHECK(over_log.series[1].points[1] == chart.series[1].points[1]);
   const Plot grouped = plot_from("peak_sin_phi:seed:pressure", {"pressure=1e6"});
   CHECK(file_name(grouped) == "peak_sin_phi_seed_pressure_pressure=1e6.svg");
 }
@@ -173,6 +179,11 @@ TEST_CASE("plots that cannot be drawn are refused") {
   CHECK(contains(refusal("breakages:row"), "row = '' must be a number"));
   CHECK(contains(refusal("breakages:pressure", {"pressure"}), "is not OPTION=VALUE"));
   CHECK(contains(refusal("breakages:pressure", {"pressure=3"}), "no finished run to show"));
+  Plot over_results = plot_from("peak_sin_phi:peak_sin_phi", {});
+  over_results.log_x = true;
+  CHECK(message_of([&] {
+          (void)chart_of(over_results, sleep.study, combinations_of(sleep.runs));
+        }).find("= -1.6: must be above 0 on a logarithmic axis") != std::string::npos);
   const Study two =
       study_of(table_from_toml("t.toml", "[axes]\npressure = [1e6]\nfriction = [0.1, 0.2]\n"));
   std::vector<FinishedRun> runs;

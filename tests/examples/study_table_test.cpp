@@ -3,10 +3,14 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numbers>
 #include <set>
 
 #include <biaxial/options.hpp>
+#include <biaxial/policies.hpp>
 #include <support/message_of.hpp>
+#include <support/near.hpp>
 
 using namespace run_study;
 using riprap::test::contains;
@@ -118,6 +122,26 @@ TEST_CASE("a run that comes twice is refused, however its values are written") {
   CHECK(contains(refusal("[[rows]]\nname = \"a\"\n[[rows]]\nname = \"b\"\nfriction = 0.5\n"),
                  "t.toml, line 3: b_seed=1: the same run as one of the row in line 1"));
   CHECK(contains(refusal("seeds = [1, 1]\n"), "the same run"));
+}
+
+TEST_CASE("in the table of the size effect strengths fall with size as d^(-3 / 4)") {
+  const Study s = study_of(read_table(RIPRAP_STUDY_TABLES "/size_effect.toml"));
+  CHECK(s.runs.size() == 5 * 3 * 8);
+  std::set<double> diameters;
+  for (const Run& run : s.runs) {
+    std::vector<std::string> arguments;
+    for (const auto& [name, value] : run.parameters) arguments.push_back("--" + name + "=" + value);
+    const Options o = options_from(arguments);
+    const double d = o.assembly.mean_diameter;
+    diameters.insert(d);
+    const riprap::WeibullStrength strength = chosen_element_trigger(o);
+    const auto of = [&](double size) {
+      return strength.strength_factor(3, 0.25 * std::numbers::pi * size * size);
+    };
+    CHECK(of(d) / of(0.016) == riprap::test::near_relative(std::pow(d / 0.016, -0.75), 1e-13));
+    CHECK(strength.seed == run.seed);
+  }
+  CHECK(diameters == std::set<double>{0.004, 0.008, 0.016, 0.032, 0.064});
 }
 
 TEST_CASE("all shards together have every run once") {

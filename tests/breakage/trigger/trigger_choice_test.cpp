@@ -6,6 +6,7 @@
 #include <riprap/breakage/trigger/brazilian_strength.hpp>
 #include <riprap/breakage/trigger/mean_stress_failure.hpp>
 #include <riprap/breakage/trigger/tsoungui_strength.hpp>
+#include <riprap/breakage/trigger/with_weibull_strength.hpp>
 #include <support/loaded_disc.hpp>
 
 using namespace riprap;
@@ -15,6 +16,14 @@ namespace {
 
 using Choice = TriggerChoice<BrazilianStrength, MeanStressFailure, TsounguiStrength>;
 static_assert(LoadTrigger<Choice>);
+
+// A choice would hide the strengths of the trigger in it; around it they stay.
+template <class... T>
+concept Choosable = requires { typename TriggerChoice<T...>; };
+static_assert(Choosable<BrazilianStrength>);
+static_assert(!Choosable<BrazilianStrength, WithWeibullStrength<BrazilianStrength>>);
+static_assert(HasStrengthFactor<WithWeibullStrength<Choice>>);
+static_assert(LoadTrigger<WithWeibullStrength<Choice>>);
 
 }  // namespace
 

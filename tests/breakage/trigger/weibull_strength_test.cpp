@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <riprap/breakage/trigger/weibull_strength.hpp>
 #include <vector>
@@ -110,10 +111,22 @@ TEST_CASE("a particle keeps its strength, another seed gives it another one") {
         WeibullStrength{}.strength_factor(5, 1e-4));
 }
 
+TEST_CASE("with an infinite modulus all particles have the strength of the criterion") {
+  WeibullStrength trigger{.modulus = std::numeric_limits<double>::infinity(), .dimension = 3};
+  CHECK_NOTHROW(trigger.validate());
+  for (const double area : {1e-8, 2e-4, 10.0})
+    for (ParticleId id = 0; id < 100; ++id) CHECK(trigger.strength_factor(id, area) == 1);
+  // Its limit: factors are x^(1 / m), and the least x is that of the least draw, exp(-37.5).
+  trigger.modulus = 1e9;
+  for (ParticleId id = 0; id < 100; ++id)
+    CHECK(std::abs(trigger.strength_factor(id, 2e-4) - 1) < 40 / trigger.modulus);
+}
+
 TEST_CASE("parameters are checked") {
-  CHECK_THROWS_WITH_AS(WeibullStrength{.modulus = 0}.validate(),
-                       "WeibullStrength.modulus = 0: must be a finite number above 0",
-                       InvalidInput);
+  CHECK_THROWS_WITH_AS(
+      WeibullStrength{.modulus = 0}.validate(),
+      "WeibullStrength.modulus = 0: must be a number above 0; infinity: no scatter", InvalidInput);
+  CHECK_THROWS_AS(WeibullStrength{.modulus = std::nan("")}.validate(), InvalidInput);
   CHECK_THROWS_AS(WeibullStrength{.reference_area = -1}.validate(), InvalidInput);
   CHECK_THROWS_AS(WeibullStrength{.dimension = -1}.validate(), InvalidInput);
   CHECK_NOTHROW(WeibullStrength{}.validate());

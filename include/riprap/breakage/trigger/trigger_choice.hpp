@@ -9,8 +9,10 @@
 
 namespace riprap {
 
-/// Holds one of several triggers that need no elements, and passes the particle on to it.
+/// Holds one of several triggers that need no elements, and passes the particle on to it. Strengths
+/// that scatter go around it: `WithWeibullStrength<TriggerChoice<...>>`.
 template <LoadTrigger... Triggers>
+  requires(!HasStrengthFactor<Triggers> && ...)
 struct TriggerChoice {
   std::variant<Triggers...> chosen;
 

@@ -21,7 +21,7 @@ namespace riprap {
 /// counted by the volume of a grain, d^3, as for the rock that the particle stands for (McDowell
 /// and Bolton 1998). The breaking rule is that of FailedElementRatio.
 struct WeibullStrength {
-  double modulus = 5;  ///< m [-]; the higher, the more alike the particles
+  double modulus = 5;  ///< m [-]; the higher, the more alike the particles; infinity: all alike
   double reference_area =
       2e-4;               ///< A_0 [m^2]: a particle of this area has the characteristic strength
   double critical = 0.4;  ///< RatF [-]
@@ -30,6 +30,7 @@ struct WeibullStrength {
 
   /// Strength of a particle over that of the criterion [-].
   [[nodiscard]] double strength_factor(ParticleId id, double area) const {
+    if (std::isinf(modulus)) return 1;
     const double by_area = -std::log1p(-draw(seed, id)) * reference_area / area;
     return std::pow(by_area * std::pow(reference_area / area, 0.5 * dimension - 1), 1 / modulus);
   }
@@ -49,7 +50,8 @@ struct WeibullStrength {
   }
 
   void validate() const {
-    require_positive("WeibullStrength.modulus", modulus);
+    require(modulus > 0, "WeibullStrength.modulus", modulus,
+            "must be a number above 0; infinity: no scatter");
     require_positive("WeibullStrength.reference_area", reference_area);
     require_positive("WeibullStrength.critical", critical);
     require_non_negative("WeibullStrength.dimension", dimension);

@@ -15,7 +15,7 @@ template <Trigger TriggerT>
   requires(!HasStrengthFactor<TriggerT>)
 struct WithWeibullStrength {
   TriggerT trigger{};
-  double modulus = 5;            ///< as of WeibullStrength [-]
+  double modulus = 5;            ///< as of WeibullStrength [-]; infinity: `trigger` alone
   double reference_area = 2e-4;  ///< [m^2]
   std::uint64_t seed = 1;
   double dimension = 2;  ///< of the size effect [-]: strength falls as d^(-dimension / modulus)
