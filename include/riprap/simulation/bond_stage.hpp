@@ -47,6 +47,7 @@ struct BondStage {
   static void update(const Particles&, Contacts&, const Moment&, const E&, bool) {}
   static void add_body(const Particles&) {}
   static void divide(const DividedBody&, const Particles&, const Domain&, const Moment&) {}
+  static void exclude_divided(auto&) {}
   static void remove(BodyIndex, const Particles&, auto&) {}
   [[nodiscard]] static const auto& interactions(const auto& contacts, const Particles&) {
     return contacts;
@@ -113,12 +114,12 @@ struct BondStage<Law, Domain> {
     bonds.remove(i, particles.size());
     exclude(contacts);
   }
-  /// Hands the bonds of a particle that has broken to its pieces; those of dust are broken. The
-  /// pairs of the contacts are to be found anew: `exclude`, when all particles have broken.
+  /// Hands the bonds of a particle that has broken to its pieces; those of dust are broken.
+  /// `exclude_divided` must come when all particles have broken.
   void divide(const DividedBody& broken, const Particles& particles, const Domain& domain,
               const Moment& now) {
     gone_.clear();
-    bonds.divide(broken, particles, domain, gone_);
+    if (bonds.divide(broken, particles, domain, gone_)) divided_ = true;
     for (const BondType& bond : gone_) {
       const BodyIndex other = bond.a == broken.parent ? bond.b : bond.a;
       const Body& a = bond.a == broken.parent ? broken.whole : particles.body(bond.a);
@@ -132,6 +133,11 @@ struct BondStage<Law, Domain> {
                         .energy = stored_energy(bond, bonds.law(), particles.thickness())});
       bonds.add_loss(breaks.back().energy);
     }
+  }
+  /// Leaves the pairs of bonds of pieces out, if there are any: all pairs are to be found anew.
+  template <class Contacts>
+  void exclude_divided(Contacts& contacts) {
+    if (std::exchange(divided_, false)) exclude(contacts);
   }
   [[nodiscard]] auto interactions(const auto& contacts, const Particles& particles) const {
     return Interactions{contacts, bonds, particles};
@@ -211,6 +217,7 @@ struct BondStage<Law, Domain> {
       breaks[first + k].separates = joined.join(gone_[k].a, gone_[k].b);
   }
 
+  bool divided_ = false;  // a particle with bonds has broken since `exclude_divided`
   std::vector<BondType> gone_;
   std::vector<FormerPair<typename BondType::Image>> former_;
   std::vector<std::size_t> event_of_;  // of each of them, from the first of these breaks on
