@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <riprap/bond/bond_law/brittle_bond.hpp>
@@ -186,6 +188,34 @@ TEST_CASE("only the last bond between two parts separates them") {
                       [](const BondBreak& event) { return event.separates; }) == 3);
   CHECK_FALSE(breaks[0].separates);
   CHECK(breaks[0].failure == BondFailure::none);
+}
+
+TEST_CASE("of the bonds that dust had with one body only the last separates them") {
+  // The right fifth of square 0 is dust. It takes both bonds with square 1, which is alone then,
+  // and a part of that with square 2, which stays with the rest of 0.
+  const std::vector<Vec2> at{{0, 0}, {1, 0}, {0, 1}};
+  Assembly assembly = of({});
+  for (const Vec2& centre : at) assembly.particles.push_back({rectangle(centre, 1, 1)});
+  assembly.bonds = {{.a = 0, .b = 1, .ends = {{{0.5, -0.5}, {0.5, 0}}}},
+                    {.a = 0, .b = 1, .ends = {{{0.5, 0}, {0.5, 0.5}}}},
+                    {.a = 0, .b = 2, .ends = {{{-0.5, 0.5}, {0.5, 0.5}}}}};
+  Particles particles(1, density);
+  for (const PlacedParticle& p : assembly.particles) particles.add(p.polygon, Motion::free);
+  BondStage<BrittleBond, UnboundedDomain> stage{strong};
+  stage.begin(assembly, particles, {});
+
+  const Body whole = particles.body(0);
+  const Ancestry ancestry = particles.ancestry(0);
+  particles.replace(0, rectangle({-0.1, 0}, 0.8, 1), Motion::free, ancestry);
+  const Line upwards{{0.3, 0}, {0, 1}};
+  stage.divide({whole, 0, upwards, {BodyIndex{0}, std::nullopt}}, particles, {}, {});
+  REQUIRE(stage.breaks.size() == 3);
+  CHECK(stage.breaks[0].particles == stage.breaks[1].particles);
+  CHECK_FALSE(stage.breaks[0].separates);
+  CHECK(stage.breaks[1].separates);
+  CHECK(stage.breaks[2].separates);
+  REQUIRE(stage.bonds.size() == 1);
+  CHECK(stage.bonds[0].length == near_relative(0.8, 1e-12));
 }
 
 TEST_CASE("bonded bodies have no contact, and get it when the bond breaks") {

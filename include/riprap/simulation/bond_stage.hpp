@@ -120,19 +120,27 @@ struct BondStage<Law, Domain> {
               const Moment& now) {
     gone_.clear();
     if (bonds.divide(broken, particles, domain, gone_)) divided_ = true;
+    if (gone_.empty()) return;
+    const auto other_of = [&](const BondType& bond) {
+      return bond.a == broken.parent ? bond.b : bond.a;
+    };
+    const std::size_t first = breaks.size();
     for (const BondType& bond : gone_) {
-      const BodyIndex other = bond.a == broken.parent ? bond.b : bond.a;
+      const BodyIndex other = other_of(bond);
       const Body& a = bond.a == broken.parent ? broken.whole : particles.body(bond.a);
       breaks.push_back({.step = now.step,
                         .time = now.time,
                         .particles = {particles.ancestry(other).id, no_particle},
                         .place = bond.middle(a),
-                        .separates = true,
                         .ends = bond.a == other ? bond.on_a.ends : bond.on_b.ends,
                         .length = bond.length,
                         .energy = stored_energy(bond, bonds.law(), particles.thickness())});
       bonds.add_loss(breaks.back().energy);
     }
+    const auto dust = static_cast<BodyIndex>(particles.size());  // behind all bodies
+    find_separations(particles.size() + 1, first, [&](const BondType& bond) {
+      return std::pair{other_of(bond), dust};
+    });
   }
   /// Leaves the pairs of bonds of pieces out, if there are any: all pairs are to be found anew.
   template <class Contacts>
@@ -184,7 +192,9 @@ struct BondStage<Law, Domain> {
         particles, std::span<const FormerPair<typename BondType::Image>>(former_),
         [&](std::size_t n, double energy) { breaks[first + event_of_[n]].energy -= energy; });
     for (std::size_t k = first; k < breaks.size(); ++k) bonds.add_loss(breaks[k].energy);
-    find_separations(particles, first);
+    find_separations(particles.size(), first, [](const BondType& bond) {
+      return std::pair{bond.a, bond.b};
+    });
   }
 
   void add_former(const BondType& bond, double thickness) {
@@ -209,12 +219,16 @@ struct BondStage<Law, Domain> {
   }
 
   // In the order of the breaks from `first` on: which of them leave two bodies that no chain of
-  // bonds joins. Those that break later are put back first.
-  void find_separations(const Particles& particles, std::size_t first) {
-    Components joined(particles.size());
+  // bonds joins. Those that break later are put back first. `ends_of(bond)` are the bodies of one
+  // in `gone_`.
+  template <class EndsOf>
+  void find_separations(std::size_t bodies, std::size_t first, EndsOf&& ends_of) {
+    Components joined(bodies);
     for (const BondType& bond : bonds) joined.join(bond.a, bond.b);
-    for (std::size_t k = gone_.size(); k-- > 0;)
-      breaks[first + k].separates = joined.join(gone_[k].a, gone_[k].b);
+    for (std::size_t k = gone_.size(); k-- > 0;) {
+      const auto [a, b] = ends_of(gone_[k]);
+      breaks[first + k].separates = joined.join(a, b);
+    }
   }
 
   bool divided_ = false;  // a particle with bonds has broken since `exclude_divided`
