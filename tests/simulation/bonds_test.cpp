@@ -441,6 +441,28 @@ TEST_CASE("bodies may be added and removed beside bonds") {
   CHECK(sim.contacts().pairs().size() == 0);
 }
 
+TEST_CASE("a bonded body may be held, but not become a wall") {
+  Simulation sim{still(strong), row(3, Motion::free), rock_of(density)};
+  const ParticleId far = sim.add(rectangle({5, 5}, side, side));
+  const std::string rule = "particle 2: its bonds = 1: must be none for a wall or a platen; "
+                           "Motion::prescribed holds it";
+  for (const Motion motion : {Motion::wall, Motion::platen})
+    CHECK(message_of([&] { sim.set_motion(2, motion); }) == rule);
+  CHECK(sim.particles().body(2).motion == Motion::free);
+  sim.set_motion(2, Motion::prescribed);
+  sim.set_motion(sim.index_of(far), Motion::wall);
+  // Clamped at one end.
+  const Vec2 place = sim.particles().body(2).position;
+  const double force = 1e5;
+  sim.set_load(0, {-force, 0});
+  for (int n = 0; n < 6000; ++n) sim.step();
+  CHECK(sim.particles().body(2).position == place);
+  CHECK(sim.bond_force_on(2).force.x() == near_relative(-force, 1e-9));
+  sim.break_bonds([](const auto&) { return true; });
+  sim.set_motion(2, Motion::wall);
+  CHECK(sim.particles().body(2).is_wall());
+}
+
 TEST_CASE(
     "the time step is below 0.12 of the stability limit of the bonds, with contacts as well") {
   Simulation with{still(strong), row(6), rock_of(density)};
