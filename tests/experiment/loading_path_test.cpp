@@ -222,8 +222,9 @@ TEST_CASE("an error of a step says in which stage") {
   CHECK(message.starts_with("stage 'straining': particle "));
 }
 
-TEST_CASE("a path without stages is finished at once") {
+TEST_CASE("a path without stages is refused") {
   Unbreakable sim = loose_sample();
-  CHECK(LoadingPath<>{}.run(sim).stages.empty());
+  CHECK_THROWS_WITH_AS(LoadingPath<>{}.run(sim),
+                       "LoadingPath.stages: number of stages = 0: must be above 0", InvalidInput);
   CHECK(sim.steps() == 0);
 }
