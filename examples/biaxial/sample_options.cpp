@@ -41,8 +41,9 @@ void add_assembly(OptionTable& table, Options& options) {
                    "over the mean; diameters are uniform in between [-]");
   table.add_number("--largest-diameter", a.largest_diameter, "RandomAssembly.largest_diameter",
                    "over the mean [-]");
-  table.add_text("--grading", options.grading,
-                 "sieve curve (CSV: size [m], passing [-]) in place of the diameters");
+  table.add_text(
+      "--grading", options.grading,
+      "sieve curve (CSV: size [m], 0.02 for 20 mm; passing [-]) in place of the diameters");
   table.add_number("--thickness", a.thickness, "RandomAssembly.thickness", "out of plane [m]");
   table.add_text(
       "--vertices", "of a polygon: a count or a range [-]",

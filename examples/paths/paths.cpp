@@ -29,6 +29,7 @@ Json stages_json(const Run& run) {
                       {"reached_target", stage.reached_target},
                       {"mean_error", stage.mean_error},
                       {"rms_error", stage.rms_error},
+                      {"last_error", stage.last_error},
                       {"wall_s", stage.wall_seconds}});
   }
   return stages;

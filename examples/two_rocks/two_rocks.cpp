@@ -15,6 +15,7 @@
 #include "../command_line/program.hpp"
 #include "../run_table/options.hpp"
 #include "../run_table/tasks.hpp"
+#include "../shear_tests/results.hpp"
 #include "../study/statistics.hpp"
 #include "mixture.hpp"
 
@@ -51,15 +52,12 @@ struct ShareResult {
   // The mean over the tests of a number of each record, to the end of the shortest test.
   template <class Value>
   [[nodiscard]] std::vector<Vec2> curve(Value&& value) const {
-    std::vector<Vec2> points;
-    for (std::size_t k = 0;; ++k) {
-      Vec2 sum{0, 0};
-      for (const auto& records : tests) {
-        if (k >= records.size()) return points;
-        sum += Vec2{100 * records[k].strain, value(records[k])};
-      }
-      points.push_back(sum / static_cast<double>(tests.size()));
+    std::vector<std::vector<Vec2>> curves;
+    for (const auto& records : tests) {
+      curves.emplace_back();
+      for (const auto& r : records) curves.back().push_back({100 * r.strain, value(r)});
     }
+    return shear_tests::mean_curve(curves);
   }
 };
 

@@ -92,6 +92,22 @@ struct StuckFriction : LinearSpringCoulomb {
   }
 };
 
+/// Whose contacts begin after a bond with another force.
+template <class Change>
+struct AfterBond : EnergyConservingSpring {
+  Change change;
+  History history_after_bond(const ContactGeometry& geometry, const FormerBond& bond) const {
+    History history = EnergyConservingSpring::history_after_bond(geometry, bond);
+    change(history, bond);
+    return history;
+  }
+};
+
+template <class Change>
+Violations violations_after_bond(Change change) {
+  return contact_law_violations(AfterBond<Change>{{}, change});
+}
+
 }  // namespace
 
 TEST_CASE("the contact laws of riprap obey the axioms") {
@@ -194,6 +210,25 @@ TEST_CASE("a contact law that depends on body order, axes or handedness is repor
   check_violated(
       violations_of([](auto& f, auto&, auto&) { f.tangential = std::max(f.tangential, 0.0); }),
       "a mirrored contact has the mirrored force");
+}
+
+TEST_CASE("a contact law whose contacts begin with more than a bond had is reported") {
+  CHECK(violations_after_bond([](auto&, auto&) {}).empty());
+  // The whole force of the overlap.
+  const Violations whole = violations_after_bond([](auto& h, auto&) { h.offset = 0; });
+  check_violated(whole, "after a bond a contact stores at most the bond's energy");
+  check_violated(whole, "after a bond a contact pushes at most as the bond did");
+  CHECK(whole.size() == 2);
+  check_violated(violations_after_bond(
+                     [](auto& h, auto& bond) { h.tangential_force = bond.tangential_force; }),
+                 "after a bond a contact stores at most the bond's energy");
+  check_violated(
+      violations_after_bond([](auto& h, auto&) { h.tangential_force = -h.tangential_force; }),
+      "after a bond a contact shears in the bond's direction");
+  check_violated(violations_after_bond([](auto& h, auto& bond) {
+                   h.tangential_force = 1.01 * bond.tangential_force;
+                 }),
+                 "after a bond a contact shears at most as the bond did");
 }
 
 TEST_CASE("contact laws give the same in millimetres, grams and milliseconds") {

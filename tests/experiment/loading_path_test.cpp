@@ -222,8 +222,27 @@ TEST_CASE("an error of a step says in which stage") {
   CHECK(message.starts_with("stage 'straining': particle "));
 }
 
-TEST_CASE("a path without stages is finished at once") {
+TEST_CASE("a stage says by how much a held stress missed its target in the end") {
   Unbreakable sim = loose_sample();
-  CHECK(LoadingPath<>{}.run(sim).stages.empty());
+  LoadingPath<> path;
+  // Tension, which loose particles never have: the servo takes the boundary away from them.
+  path.stages = {straining(1, StressReached{.stress = -1e6, .of = StressOf::axis_1})};
+  path.stages[0].axis_1 = ControlledStress{
+      .stress = -1e6, .control = {.expected_rate = {.per_second = 1}, .largest_rate = 1}};
+  path.stages[0].most_steps = 200;
+  const StageResult missed = path.run(sim).stages[0];
+  CHECK(missed.steps == 200);
+  CHECK_FALSE(missed.reached_target);
+  CHECK(missed.last_error == -1);
+  CHECK(missed.mean_error == 0);  // not judged
+
+  path.stages[0].axis_1 = FreeBoundary{.control = {.expected_rate = {.per_second = 1}}};
+  CHECK(path.run(sim).stages[0].last_error == 0);
+}
+
+TEST_CASE("a path without stages is refused") {
+  Unbreakable sim = loose_sample();
+  CHECK_THROWS_WITH_AS(LoadingPath<>{}.run(sim),
+                       "LoadingPath.stages: number of stages = 0: must be above 0", InvalidInput);
   CHECK(sim.steps() == 0);
 }

@@ -32,7 +32,7 @@ std::string text_of(const BiaxialResult& result) {
   for (const StageResult& s : result.stages)
     for (const double number :
          {static_cast<double>(s.steps), static_cast<double>(s.saturated_steps),
-          static_cast<double>(s.reached_target), s.mean_error, s.rms_error})
+          static_cast<double>(s.reached_target), s.mean_error, s.rms_error, s.last_error})
       text += to_text(number) + " ";
   return text + to_text(result.axial_rate) + (result.interrupted ? " interrupted" : "");
 }

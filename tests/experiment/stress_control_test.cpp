@@ -71,12 +71,25 @@ TEST_CASE("errors are judged where there is a tolerance") {
   for (const double stress : {1.1e6, 0.8e6}) (void)servo.tracked_rate(stress, 1e6, 1e-6);
   CHECK(servo.mean_error() == near_relative(-0.05, 1e-12));
   CHECK(servo.rms_error() == near_relative(std::sqrt(0.5 * (0.01 + 0.04)), 1e-12));
+  CHECK(servo.last_error() == near_relative(-0.2, 1e-12));
   ServoControl control{.tolerance = 0.04, .servo = servo};
   CHECK(!control.held());
   control.tolerance = 0.06;
   CHECK(control.held());
   control.tolerance = 0;
   CHECK(control.held());
+}
+
+TEST_CASE("the last error is that of any step with a target other than 0") {
+  TrackingServo servo;
+  servo.begin(test::LoadingScene{}, 1);
+  (void)servo.rate(1.3e6, 1e6, 1e-6);
+  CHECK(servo.last_error() == near_relative(0.3, 1e-12));
+  CHECK(servo.mean_error() == 0);
+  (void)servo.rate(-0.5e6, -1e6, 1e-6);
+  CHECK(servo.last_error() == near_relative(-0.5, 1e-12));
+  (void)servo.rate(1e6, 0, 1e-6);
+  CHECK(servo.last_error() == 0);
 }
 
 TEST_CASE("the servo's rate has a limit, and saturation is counted") {

@@ -56,6 +56,27 @@ TEST_CASE("gradings take clusters for particles, before and after") {
         near_relative(1.0 / 9, 1e-12));
 }
 
+TEST_CASE("the grading of fragments is by mass, that of intact clusters too") {
+  // Cells of the second cluster have three times the density of the others: 5 and 4 cells, 17 parts
+  // of the mass.
+  Assembly assembly = two_clusters_and_a_square();
+  for (std::size_t i = 5; i < 9; ++i) assembly.particles[i].material = 1;
+  Simulation sim{Model{}
+                     .boundary(NoBoundary{})
+                     .criterion(NeverFails{})
+                     .bond_law(BrittleBond{.tensile_strength = 1e30, .cohesion = 1e30}),
+                 assembly, Rocks{{.density = 1000}, {.density = 3000}}};
+  const auto share = [](const Grading& grading, double cells) {
+    return 17 * grading.passing(1.001 * equivalent_diameter(cells * cell_side * cell_side));
+  };
+  CHECK(share(fragment_grading(sim), 1) == near_relative(1, 1e-12));
+  // One cell of the second cluster.
+  sim.break_bonds([](const auto& bond) { return bond.a == 5 || bond.b == 5; });
+  CHECK(share(fragment_grading(sim), 1) == near_relative(4, 1e-12));
+  CHECK(share(fragment_grading(sim), 3) == near_relative(13, 1e-12));
+  CHECK(share(grading_before_breakage(sim.particles()), 1) == near_relative(1, 1e-12));
+}
+
 TEST_CASE("a cluster on a slab has two contacts, its cells are no rattlers of their own") {
   auto sim = bonded_clusters();
   for (int n = 0; n < 3000; ++n) sim.step();

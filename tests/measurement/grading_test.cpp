@@ -163,6 +163,23 @@ TEST_CASE("the grading of one material has its particles, pieces and dust alone"
   CHECK_THROWS_AS((void)grading(both, 2), InvalidInput);
 }
 
+TEST_CASE("rocks of two densities count by mass, before and after breakage") {
+  // 4 mm^2 of 1500 kg/m^3 and 2 mm^2 of 3000 kg/m^3, two fifths of that broken off as dust: in
+  // shares of the mass 1/2, 1/5 and 3/10.
+  Particles particles(0.016, std::vector<double>{1500, 3000});
+  particles.add(test::rectangle(4e-3, 1e-3), Motion::free);
+  particles.add(test::rectangle(2e-3, 1e-3), Motion::free, nullptr, 1);
+  const Ancestry second = particles.ancestry(1);
+  particles.replace(1, test::rectangle(1.2e-3, 1e-3), Motion::free, second);
+  particles.add_dust(second, 0.8e-6, 1);
+  const auto just_above = [](double area) { return 1.001 * equivalent_diameter(area); };
+  const Grading before = grading_before_breakage(particles);
+  CHECK(before.passing(just_above(2e-6)) == near_relative(1.0 / 2, round_off));
+  const Grading after = grading(particles);
+  CHECK(after.passing(just_above(0.8e-6)) == near_relative(0.4 / 2, round_off));
+  CHECK(after.passing(just_above(1.2e-6)) == near_relative(1.0 / 2, round_off));
+}
+
 TEST_CASE("a cluster of cells of two materials: dust counts with its own cell's") {
   Particles particles(0.016, std::vector<double>{2500, 2000});
   for (const MaterialIndex material : {MaterialIndex{0}, MaterialIndex{1}}) {

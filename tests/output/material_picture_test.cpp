@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <riprap/output/assembly_picture.hpp>
 #include <support/rectangle.hpp>
 #include <support/svg_document.hpp>
 
@@ -37,4 +38,24 @@ TEST_CASE("particles have the colour of their material, pieces a darker one, and
   const std::string text = material_picture(particles, {"granite"}, "Two rocks").document();
   for (const char* name : {"granite", "granite: pieces", "material 1", "material 1: pieces"})
     CHECK(text.find(name) != text.npos);
+}
+
+TEST_CASE("walls and platens are grey, as in other pictures, whatever their material") {
+  Particles particles(1, std::vector<double>{2500, 2200});
+  particles.add(rectangle({0, 0}, 1, 1), Motion::free);
+  particles.add(rectangle({0, 1}, 3, 1), Motion::wall);
+  particles.add(rectangle({0, -1}, 3, 1), Motion::platen, nullptr, 1);
+  particles.add(rectangle({1, 0}, 1, 1), Motion::strain_field);
+  const Svg svg = material_picture(particles, {"granite", "marl"}, "Between walls");
+  const auto all = test::svg_elements(svg.document());
+  const auto polygons = test::named(all, "polygon");
+  const auto grey =
+      test::named(test::svg_elements(assembly_picture(particles, {}, "").document()), "polygon")[0]
+          .attribute("fill");
+  REQUIRE(polygons.size() == 4);
+  CHECK(polygons[0].attribute("fill") != grey);
+  CHECK(polygons[1].attribute("fill") == grey);
+  CHECK(polygons[2].attribute("fill") == grey);
+  CHECK(polygons[3].attribute("fill") == polygons[0].attribute("fill"));  // of the sample
+  CHECK(svg.document().find("boundary") != std::string::npos);
 }

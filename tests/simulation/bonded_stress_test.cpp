@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <riprap/bond/bond_law/brittle_bond.hpp>
+#include <riprap/contact/broad_phase/all_pairs.hpp>
 #include <riprap/dynamics/boundary/no_boundary.hpp>
 #include <riprap/measurement/average_stress.hpp>
 #include <riprap/measurement/contact_stress.hpp>
@@ -111,4 +113,54 @@ TEST_CASE("the bonds of a cell that breaks go to the pieces that hold their edge
   sim.set_breakage(false);
   for (int n = 0; n < 100; ++n) sim.step();
   CHECK(sim.bonds().size() >= bonds);
+}
+
+namespace {
+
+struct CountedSearch : AllPairs {
+  int* searches;
+  template <class Visit>
+  void visit_pairs(std::span<const Box> boxes, Visit&& visit) const {
+    ++*searches;
+    AllPairs::visit_pairs(boxes, visit);
+  }
+};
+
+/// A block between two platens, in a model with bonds, up to the step in which it breaks; beside it
+/// two bonded cells, to which the block may be bonded.
+/// @return how many searches for neighbours that step needed
+int searches_of_break(bool bonded_block) {
+  const double h = 0.008;
+  Assembly assembly{.thickness = thickness, .particles = {}};
+  assembly.particles = {
+      {rectangle({0, 0}, 2 * h, 2 * h)},
+      {rectangle({0, 1.5 * h}, 2 * h, h), Motion::prescribed, {0, -0.5}},
+      {rectangle({0, -1.5 * h}, 2 * h, h), Motion::prescribed, {0, 0.5}},
+      {rectangle({2 * h, 0}, 2 * h, 2 * h)},
+      {rectangle({4 * h, 0}, 2 * h, 2 * h)},
+  };
+  REQUIRE(bond_common_edges(assembly, bonded_block ? std::vector<std::size_t>{0, 3, 4}
+                                                   : std::vector<std::size_t>{3, 4}) > 0);
+  const BrittleBond law{.normal_stiffness = 1e9,
+                        .tangential_stiffness = 1e9,
+                        .tensile_strength = 1e30,
+                        .cohesion = 1e30};
+  int searches = 0;
+  Simulation sim{
+      Model{}.boundary(NoBoundary{}).bond_law(law).broad_phase(CountedSearch{{}, &searches}),
+      assembly, Rock{}};
+  int before = 0;
+  while (sim.breaks().empty() && sim.steps() < 20'000) {
+    before = searches;
+    sim.step();
+  }
+  REQUIRE(!sim.breaks().empty());
+  return searches - before;
+}
+
+}  // namespace
+
+TEST_CASE("a break searches for neighbours only if the bonds of the particle are divided") {
+  CHECK(searches_of_break(false) == 0);
+  CHECK(searches_of_break(true) == 1);
 }

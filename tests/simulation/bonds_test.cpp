@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <riprap/bond/bond_law/brittle_bond.hpp>
@@ -186,6 +188,34 @@ TEST_CASE("only the last bond between two parts separates them") {
                       [](const BondBreak& event) { return event.separates; }) == 3);
   CHECK_FALSE(breaks[0].separates);
   CHECK(breaks[0].failure == BondFailure::none);
+}
+
+TEST_CASE("of the bonds that dust had with one body only the last separates them") {
+  // The right fifth of square 0 is dust. It takes both bonds with square 1, which is alone then,
+  // and a part of that with square 2, which stays with the rest of 0.
+  const std::vector<Vec2> at{{0, 0}, {1, 0}, {0, 1}};
+  Assembly assembly = of({});
+  for (const Vec2& centre : at) assembly.particles.push_back({rectangle(centre, 1, 1)});
+  assembly.bonds = {{.a = 0, .b = 1, .ends = {{{0.5, -0.5}, {0.5, 0}}}},
+                    {.a = 0, .b = 1, .ends = {{{0.5, 0}, {0.5, 0.5}}}},
+                    {.a = 0, .b = 2, .ends = {{{-0.5, 0.5}, {0.5, 0.5}}}}};
+  Particles particles(1, density);
+  for (const PlacedParticle& p : assembly.particles) particles.add(p.polygon, Motion::free);
+  BondStage<BrittleBond, UnboundedDomain> stage{strong};
+  stage.begin(assembly, particles, {});
+
+  const Body whole = particles.body(0);
+  const Ancestry ancestry = particles.ancestry(0);
+  particles.replace(0, rectangle({-0.1, 0}, 0.8, 1), Motion::free, ancestry);
+  const Line upwards{{0.3, 0}, {0, 1}};
+  stage.divide({whole, 0, upwards, {BodyIndex{0}, std::nullopt}}, particles, {}, {});
+  REQUIRE(stage.breaks.size() == 3);
+  CHECK(stage.breaks[0].particles == stage.breaks[1].particles);
+  CHECK_FALSE(stage.breaks[0].separates);
+  CHECK(stage.breaks[1].separates);
+  CHECK(stage.breaks[2].separates);
+  REQUIRE(stage.bonds.size() == 1);
+  CHECK(stage.bonds[0].length == near_relative(0.8, 1e-12));
 }
 
 TEST_CASE("bonded bodies have no contact, and get it when the bond breaks") {
@@ -409,6 +439,28 @@ TEST_CASE("bodies may be added and removed beside bonds") {
   CHECK(sim.bond_breaks().empty());
   sim.step();
   CHECK(sim.contacts().pairs().size() == 0);
+}
+
+TEST_CASE("a bonded body may be held, but not become a wall") {
+  Simulation sim{still(strong), row(3, Motion::free), rock_of(density)};
+  const ParticleId far = sim.add(rectangle({5, 5}, side, side));
+  const std::string rule = "particle 2: its bonds = 1: must be none for a wall or a platen; "
+                           "Motion::prescribed holds it";
+  for (const Motion motion : {Motion::wall, Motion::platen})
+    CHECK(message_of([&] { sim.set_motion(2, motion); }) == rule);
+  CHECK(sim.particles().body(2).motion == Motion::free);
+  sim.set_motion(2, Motion::prescribed);
+  sim.set_motion(sim.index_of(far), Motion::wall);
+  // Clamped at one end.
+  const Vec2 place = sim.particles().body(2).position;
+  const double force = 1e5;
+  sim.set_load(0, {-force, 0});
+  for (int n = 0; n < 6000; ++n) sim.step();
+  CHECK(sim.particles().body(2).position == place);
+  CHECK(sim.bond_force_on(2).force.x() == near_relative(-force, 1e-9));
+  sim.break_bonds([](const auto&) { return true; });
+  sim.set_motion(2, Motion::wall);
+  CHECK(sim.particles().body(2).is_wall());
 }
 
 TEST_CASE(

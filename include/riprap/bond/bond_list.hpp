@@ -92,7 +92,8 @@ class BondList {
 
   /// Hands the bonds of a particle that has broken to its pieces; those of dust are moved to
   /// `lost`, as they were.
-  void divide(const DividedBody& broken, const Particles& particles, const Domain& domain,
+  /// @return whether it had any
+  bool divide(const DividedBody& broken, const Particles& particles, const Domain& domain,
               std::vector<BondType>& lost) {
     divided_.clear();
     take_out(particles.size(), divided_, [&](const BondType& bond) {
@@ -110,6 +111,7 @@ class BondList {
       }
     if (!divided_.empty()) std::stable_sort(bonds_.begin(), bonds_.end(), precedes);
     changed(particles.size());
+    return !divided_.empty();
   }
 
   /// Body i, whose bonds have been taken out, was removed: those behind it have moved up.

@@ -6,13 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include <riprap/conformance/collision.hpp>
 #include <riprap/conformance/units.hpp>
 #include <riprap/conformance/violations.hpp>
 #include <riprap/contact/contact_law/concepts.hpp>
+#include <riprap/contact/contact_law/contact_law_choice.hpp>
 #include <riprap/contact/contact_law/frictionless.hpp>
 
 namespace riprap {
@@ -122,6 +125,50 @@ void check_contact_symmetry(const Law& law, const ContactRange& range, AxiomChec
   });
 }
 
+/// A contact in the place of a bond, softer or stiffer than the law, whose edges overlapped more or
+/// less than the bodies do: no more force and no more energy than the bond had. Laws without
+/// `history_after_bond` begin with a new contact.
+template <ContactLaw Law>
+void check_after_bond(const Law& law, const ContactRange& range, AxiomCheck& check) {
+  if constexpr (requires(const ContactGeometry& at, const FormerBond& bond) {
+                  law.history_after_bond(at, bond);
+                }) {
+    const double large = law.peak_stiffness() * range.deepest;
+    constexpr double most = 1 + 1e-9;
+    const auto begin = [&](const ContactGeometry& at, double pressing, double shearing,
+                           double compliance) {
+      const FormerBond bond{.normal_force = pressing,
+                            .normal_energy = 0.5 * compliance * pressing * pressing,
+                            .tangential_force = shearing,
+                            .tangential_energy = 0.5 * compliance * shearing * shearing};
+      typename Law::History history = law.history_after_bond(at, bond);
+      check.at("depth", at.depth);
+      check.at_most("after a bond a contact stores at most the bond's energy",
+                    law.stored_energy(at, history),
+                    most * (bond.normal_energy + bond.tangential_energy));
+      const ContactForce force = law(at, {.effective_mass = range.effective_mass}, history);
+      check.at_most("after a bond a contact pushes at most as the bond did", force.normal,
+                    most * pressing + 1e-12 * large);
+      const double share = force.tangential / shearing;
+      check.at_least("after a bond a contact shears in the bond's direction", share, 0);
+      check.at_most("after a bond a contact shears at most as the bond did", share, most);
+    };
+    for (const bool corner : {false, true})
+      for (const double depth : {0.01 * range.deepest, 0.3 * range.deepest, range.deepest})
+        for (const double pressing : {0.0, 0.1 * large, large})
+          for (const double shearing : {-2 * large, -0.01 * large, 0.01 * large, 2 * large})
+            for (const double softness : {0.01, 1.0, 100.0})
+              begin(contact_of(range, corner, depth, std::numbers::sqrt2), pressing, shearing,
+                    softness / law.peak_stiffness());
+  }
+}
+/// Of the chosen one, which may be without.
+template <ContactLaw... Laws>
+void check_after_bond(const ContactLawChoice<Laws...>& law, const ContactRange& range,
+                      AxiomCheck& check) {
+  std::visit([&](const auto& chosen) { check_after_bond(chosen, range, check); }, law.chosen);
+}
+
 }  // namespace internal
 
 /// Which axioms of the contact law `law` breaks for contacts within `range`. They are checked for
@@ -133,7 +180,9 @@ template <ContactLaw Law>
   internal::check_contact_at_rest(law, range, check);
   for (const bool corner : {false, true}) internal::check_collision(law, range, corner, check);
   internal::check_contact_symmetry(law, range, check);
+  internal::check_after_bond(law, range, check);
   const Law smooth = frictionless(law);
+  internal::check_after_bond(smooth, range, check);
   for (const bool corner : {false, true}) internal::check_collision(smooth, range, corner, check);
   return std::move(check).violations();
 }

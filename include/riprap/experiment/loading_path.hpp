@@ -27,6 +27,7 @@ struct LoadingPath {
   /// Throws InvalidInput that names the stage, the value and the rule.
   void validate() const {
     require_positive("LoadingPath.confining_pressure", confining_pressure);
+    require(!stages.empty(), "LoadingPath.stages: number of stages", 0, "must be above 0");
     for (const StageT& stage : stages) stage.validate();
   }
 

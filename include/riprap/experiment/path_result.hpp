@@ -20,6 +20,9 @@ struct StageResult {
   bool begun = false;
   double mean_error = 0;  ///< mean over its steps of stress / target - 1, where that is judged
   double rms_error = 0;
+  /// stress / target - 1 of a held stress in its last step, judged or not; of two, the worse one; 0
+  /// where the target is 0.
+  double last_error = 0;
 
   static void for_each_field(auto& self, auto&& visit) {
     visit("steps", self.steps);
@@ -29,6 +32,7 @@ struct StageResult {
     visit("begun", self.begun);
     visit("mean_error", self.mean_error);
     visit("rms_error", self.rms_error);
+    visit("last_error", self.last_error);
   }
 };
 

@@ -82,6 +82,10 @@ void account(const auto& stage, View& view, StageResult& result) {
   result.saturated_steps = 0;
   result.mean_error = 0;
   result.rms_error = 0;
+  result.last_error = 0;
+  const auto take_worse = [](double& worst, double error) {
+    if (std::abs(error) > std::abs(worst)) worst = error;
+  };
   for (const auto* control : {&stage.axis_1, &stage.axis_2})
     std::visit(
         [&](const auto& c) {
@@ -89,8 +93,8 @@ void account(const auto& stage, View& view, StageResult& result) {
           if (servo == nullptr) return;
           result.saturated_steps += servo->saturated();
           result.rms_error = std::max(result.rms_error, servo->rms_error());
-          if (std::abs(servo->mean_error()) > std::abs(result.mean_error))
-            result.mean_error = servo->mean_error();
+          take_worse(result.mean_error, servo->mean_error());
+          take_worse(result.last_error, servo->last_error());
         },
         *control);
   view.mean_confinement_error = result.mean_error;

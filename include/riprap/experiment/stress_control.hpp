@@ -24,12 +24,14 @@ class TrackingServo {
   /// Without account: the target may be 0.
   [[nodiscard]] double rate(double stress, double target, double time_step) {
     ++steps_;
+    last_error_ = target == 0 ? 0 : stress / target - 1;
     return servo_.rate(target - stress, time_step);
   }
   [[nodiscard]] double tracked_rate(double stress, double target, double time_step) {
     const double error = stress / target - 1;
     error_sum_ += error;
     error_squares_ += error * error;
+    last_error_ = error;
     ++steps_;
     return servo_.rate(-error * target, time_step);
   }
@@ -37,8 +39,12 @@ class TrackingServo {
   /// Mean and root mean square of stress / target - 1 over the tracked steps.
   [[nodiscard]] double mean_error() const { return over_steps(error_sum_); }
   [[nodiscard]] double rms_error() const { return std::sqrt(over_steps(error_squares_)); }
+  /// stress / target - 1 in the last step, tracked or not; 0 where the target is 0.
+  [[nodiscard]] double last_error() const { return last_error_; }
   [[nodiscard]] std::uint64_t saturated() const { return servo_.saturated(); }
 
+  static constexpr bool names_all_members = false;
+  /// But for the last error, which every step sets anew.
   static void for_each_field(auto& self, auto&& visit) {
     visit("servo", self.servo_);
     visit("error_sum", self.error_sum_);
@@ -54,6 +60,7 @@ class TrackingServo {
   PressureServo servo_{1, 1, 0};
   double error_sum_ = 0;
   double error_squares_ = 0;
+  double last_error_ = 0;
   std::uint64_t steps_ = 0;
 };
 

@@ -92,11 +92,20 @@ template <class Sim>
 /// the intact clusters is grading_before_breakage, for the cells of a cluster have one root.
 template <class Sim>
 [[nodiscard]] Grading fragment_grading(const Sim& sim) {
+  const Particles& particles = sim.particles();
   std::vector<SizeFraction> fractions;
-  const auto add = [&](double area) { fractions.push_back({equivalent_diameter(area), area}); };
-  for (const Fragment& fragment : fragments(sim))
-    if (fragment.is_free) add(fragment.area);
-  for (const DustPiece& piece : sim.particles().dust()) add(piece.area);
+  const auto mass = [&](MaterialIndex material, double area) {  // over the density of material 0
+    return area * particles.density_ratio(material, 0);
+  };
+  for (const Fragment& fragment : fragments(sim)) {
+    if (!fragment.is_free) continue;
+    double of_all = 0;
+    for (const BodyIndex i : fragment.bodies)
+      of_all += mass(particles.material(i), particles.shape(i).area);
+    fractions.push_back({equivalent_diameter(fragment.area), of_all});
+  }
+  for (const DustPiece& piece : particles.dust())
+    fractions.push_back({equivalent_diameter(piece.area), mass(piece.material, piece.area)});
   return Grading::of_fractions(std::move(fractions));
 }
 

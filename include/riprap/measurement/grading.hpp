@@ -62,15 +62,15 @@ class Grading {
 
 /// Of the free particles and of dust, by the diameter of the circle of equal area; boundary
 /// particles do not break and are left out. A sieve sees the least width, which stays as it was
-/// when a particle breaks across its length; this size shows every break. Area stands for mass:
-/// where rocks of several densities are in a sample, it is the grading by volume.
+/// when a particle breaks across its length; this size shows every break. By mass: rocks of several
+/// densities count with their own.
 [[nodiscard]] Grading grading(const Particles& particles);
 /// The same of one material, in clusters of several the cells of that one. Throws InvalidInput if
 /// there is none of it.
 [[nodiscard]] Grading grading(const Particles& particles, MaterialIndex material);
 
-/// Of the intact particles that these were once: the areas of pieces and dust add up to their
-/// root's.
+/// Of the intact particles that these were once: areas and masses of pieces and dust add up to
+/// their root's.
 [[nodiscard]] Grading grading_before_breakage(const Particles& particles);
 [[nodiscard]] Grading grading_before_breakage(const Particles& particles, MaterialIndex material);
 

@@ -86,50 +86,64 @@ RIPRAP_INLINE double Grading::area_above(double limit) const {
 
 namespace internal {
 
-// Free bodies and dust of the materials of which `counts(material)`.
+// Free bodies and dust of the materials of which `counts(material)`: root, area and mass, this over
+// that of the unit of area of a reference material.
 template <class Counts, class Add>
-void visit_grains(const Particles& particles, Counts&& counts, Add&& add) {
+void visit_grains(const Particles& particles, MaterialIndex reference, Counts&& counts, Add&& add) {
+  const auto grain = [&](ParticleId root, MaterialIndex material, double area) {
+    if (counts(material)) add(root, area, area * particles.density_ratio(material, reference));
+  };
   for (BodyIndex i = 0; i < particles.size(); ++i)
-    if (particles.body(i).is_free() && counts(particles.material(i)))
-      add(particles.ancestry(i).root, particles.shape(i).area);
-  for (const DustPiece& piece : particles.dust())
-    if (counts(piece.material)) add(piece.root, piece.area);
+    if (particles.body(i).is_free())
+      grain(particles.ancestry(i).root, particles.material(i), particles.shape(i).area);
+  for (const DustPiece& piece : particles.dust()) grain(piece.root, piece.material, piece.area);
 }
 
 template <class Counts>
-[[nodiscard]] Grading grading_of(const Particles& particles, Counts&& counts) {
+[[nodiscard]] Grading grading_of(const Particles& particles, MaterialIndex reference,
+                                 Counts&& counts) {
   std::vector<SizeFraction> fractions;
-  visit_grains(particles, counts, [&](ParticleId, double area) {
-    fractions.push_back({equivalent_diameter(area), area});
+  visit_grains(particles, reference, counts, [&](ParticleId, double area, double mass) {
+    fractions.push_back({equivalent_diameter(area), mass});
   });
   return Grading::of_fractions(std::move(fractions));
 }
 
 template <class Counts>
-[[nodiscard]] Grading grading_before(const Particles& particles, Counts&& counts) {
-  std::map<ParticleId, double> roots;  // areas
-  visit_grains(particles, counts, [&](ParticleId root, double area) { roots[root] += area; });
+[[nodiscard]] Grading grading_before(const Particles& particles, MaterialIndex reference,
+                                     Counts&& counts) {
+  struct Root {
+    double area = 0;
+    double mass = 0;
+  };
+  std::map<ParticleId, Root> roots;
+  visit_grains(particles, reference, counts, [&](ParticleId id, double area, double mass) {
+    roots[id].area += area;
+    roots[id].mass += mass;
+  });
   std::vector<SizeFraction> fractions;
-  for (const auto& [id, area] : roots) fractions.push_back({equivalent_diameter(area), area});
+  for (const auto& [id, root] : roots)
+    fractions.push_back({equivalent_diameter(root.area), root.mass});
   return Grading::of_fractions(std::move(fractions));
 }
 
 }  // namespace internal
 
 RIPRAP_INLINE Grading grading(const Particles& particles) {
-  return internal::grading_of(particles, [](MaterialIndex) { return true; });
+  return internal::grading_of(particles, 0, [](MaterialIndex) { return true; });
 }
 
 RIPRAP_INLINE Grading grading_before_breakage(const Particles& particles) {
-  return internal::grading_before(particles, [](MaterialIndex) { return true; });
+  return internal::grading_before(particles, 0, [](MaterialIndex) { return true; });
 }
 
 RIPRAP_INLINE Grading grading(const Particles& particles, MaterialIndex material) {
-  return internal::grading_of(particles, [=](MaterialIndex own) { return own == material; });
+  return internal::grading_of(particles, material, [=](MaterialIndex m) { return m == material; });
 }
 
 RIPRAP_INLINE Grading grading_before_breakage(const Particles& particles, MaterialIndex material) {
-  return internal::grading_before(particles, [=](MaterialIndex own) { return own == material; });
+  return internal::grading_before(particles, material,
+                                  [=](MaterialIndex m) { return m == material; });
 }
 
 }  // namespace riprap

@@ -17,9 +17,10 @@
 
 namespace riprap {
 
-/// The grading of a table with the header `size,passing`: the openings of the sieves [m],
-/// ascending, and the share of the mass that passes them [-], 1 at the last one. Throws
-/// InvalidInput with the name of the file, the line, the value and the rule for anything else.
+/// The grading of a table with the header `size,passing`: the openings of the sieves [m], 0.02 for
+/// one of 20 mm, ascending, and the share of the mass that passes them [-], 1 at the last one.
+/// Throws InvalidInput with the name of the file, the line, the value and the rule for anything
+/// else; sizes in millimetres are no error here, but a warning of ValidityCheck.
 [[nodiscard]] inline Grading read_grading(std::istream& in, const std::string& name) {
   internal::CsvReader rows(in, name, "size,passing");
   std::vector<GradingPoint> points;

@@ -50,7 +50,7 @@ namespace internal {
     for (const BodyIndex i : bodies)
       svg.polygon(view(particles.ring(i)), "fill=\"" + colour + "\"" + outline);
   };
-  draw(others[0], "#8d949c");
+  draw(others[0], internal::boundary_colour);
   draw(others[1], "#efe9dc");
   for (const auto& [root, bodies] : families) draw(bodies, internal::family_colour(root));
 
@@ -72,7 +72,7 @@ namespace internal {
     svg.text({left + 26, row}, name);
     row += 24;
   };
-  patch("#8d949c", "boundary");
+  patch(internal::boundary_colour, "boundary");
   patch("#efe9dc", "intact");
   patch(internal::family_colour(1), "pieces: a colour");
   svg.text({left + 26, row - 6}, "for each parent");

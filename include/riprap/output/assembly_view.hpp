@@ -17,6 +17,12 @@
 
 namespace riprap {
 
+namespace internal {
+
+inline constexpr auto boundary_colour = "#8d949c";
+
+}  // namespace internal
+
 /// Maps the plane to a picture of 900 pixels with room for a title above and a legend on the right.
 /// Points that are not finite or farther than 1e100 m from the origin do not widen it; without any
 /// other it is a metre wide.

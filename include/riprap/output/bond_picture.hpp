@@ -28,7 +28,7 @@ template <class Sim>
   std::vector<std::size_t> sizes(numbers.size(), 0);
   for (const std::uint32_t number : numbers) ++sizes[number];
   for (BodyIndex i = 0; i < particles.size(); ++i) {
-    const std::string colour = !particles.body(i).is_free() ? "#8d949c"
+    const std::string colour = !particles.body(i).is_free() ? internal::boundary_colour
                                : sizes[numbers[i]] == 1     ? "#efe9dc"
                                                             : internal::family_colour(numbers[i]);
     svg.polygon(view(particles.ring(i)), "fill=\"" + colour + "\"" + outline);

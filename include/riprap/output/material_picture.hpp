@@ -33,36 +33,38 @@ namespace internal {
 }  // namespace internal
 
 /// Draws every particle in the colour of its material, intact ones pale and pieces dark; walls and
-/// platens have a dark outline, too.
+/// platens in the grey of a boundary, whatever their material.
 /// @param names of the materials; those without one are called by their number
 [[nodiscard]] inline Svg material_picture(const Particles& particles,
                                           const std::vector<std::string>& names,
                                           const std::string& title) {
   const AssemblyView view(particles);
   Svg svg = view.canvas();
-  const auto outline = [](bool is_wall) {
-    return std::string(" stroke=\"") + (is_wall ? "#111" : "#555") +
-           "\" stroke-width=\"0.5\" stroke-linejoin=\"round\"";
-  };
-  for (BodyIndex i = 0; i < particles.size(); ++i)
-    svg.polygon(
-        view(particles.ring(i)),
-        "fill=\"" +
-            internal::material_colour(particles.material(i), particles.ancestry(i).generation > 0) +
-            "\"" + outline(particles.body(i).is_wall()));
+  const std::string outline = "\" stroke=\"#555\" stroke-width=\"0.5\" stroke-linejoin=\"round\"";
+  bool has_walls = false;
+  for (BodyIndex i = 0; i < particles.size(); ++i) {
+    const bool is_wall = particles.body(i).is_wall();
+    const bool broken = particles.ancestry(i).generation > 0;
+    const std::string colour = is_wall ? internal::boundary_colour
+                                       : internal::material_colour(particles.material(i), broken);
+    svg.polygon(view(particles.ring(i)), "fill=\"" + colour + outline);
+    has_walls |= is_wall;
+  }
   view.annotate(svg, title);
   const double left = view.legend_left() + 14;
   double row = 70;
-  for (std::size_t m = 0; m < particles.materials(); ++m)
-    for (const bool broken : {false, true}) {
-      const auto material = static_cast<MaterialIndex>(m);
-      svg.rectangle({left, row - 12}, {18, 14},
-                    "fill=\"" + internal::material_colour(material, broken) + "\"" +
-                        outline(false));
-      const std::string name = m < names.size() ? names[m] : "material " + std::to_string(m);
-      svg.text({left + 26, row}, name + (broken ? ": pieces" : ""));
-      row += 24;
-    }
+  const auto patch = [&](const std::string& colour, const std::string& name) {
+    svg.rectangle({left, row - 12}, {18, 14}, "fill=\"" + colour + outline);
+    svg.text({left + 26, row}, name);
+    row += 24;
+  };
+  for (std::size_t m = 0; m < particles.materials(); ++m) {
+    const auto material = static_cast<MaterialIndex>(m);
+    const std::string name = m < names.size() ? names[m] : "material " + std::to_string(m);
+    patch(internal::material_colour(material, false), name);
+    patch(internal::material_colour(material, true), name + ": pieces");
+  }
+  if (has_walls) patch(internal::boundary_colour, "boundary");
   return svg;
 }
 

@@ -17,7 +17,7 @@ namespace riprap {
 namespace internal {
 
 [[nodiscard]] inline const char* move_colour(bool is_free) {
-  return is_free ? "#1f4e79" : "#8d949c";
+  return is_free ? "#1f4e79" : boundary_colour;
 }
 
 /// Arrows from where to where, in pixels; a head is a third of a short arrow and never long.

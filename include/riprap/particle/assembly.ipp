@@ -38,12 +38,10 @@ RIPRAP_INLINE void Assembly::validate() const {
     const double length = (bond.ends[1] - bond.ends[0]).norm();
     require(length > 0 && std::isfinite(length), name + ": length [m]", length,
             "must be above 0 and finite");
-    for (const std::size_t i : {bond.a, bond.b}) {
-      const Motion motion = particles[i].motion;
-      if (motion == Motion::wall || motion == Motion::platen)
+    for (const std::size_t i : {bond.a, bond.b})
+      if (is_wall(particles[i].motion))
         throw InvalidInput(name + ": " + particle_text(static_cast<ParticleId>(i)) +
                            " must not be a wall");
-    }
     if (period == Vec2{0, 0} && bond.image != PeriodicDomain::Image{})
       throw InvalidInput(name + ": image (" + std::to_string(bond.image.axis_1) + ", " +
                          std::to_string(bond.image.axis_2) +

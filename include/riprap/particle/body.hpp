@@ -38,6 +38,10 @@ enum class Motion : unsigned char {
   platen,        ///< a rigid, smooth wall that the boundary moves along its normal
   wall,  ///< a rigid wall with the friction of the contact law, moved like a prescribed body
 };
+/// A wall or a platen: no part of the sample.
+[[nodiscard]] constexpr bool is_wall(Motion motion) {
+  return motion == Motion::wall || motion == Motion::platen;
+}
 
 /// A rigid body; its shape is stored beside it in Particles.
 struct Body {
@@ -52,8 +56,7 @@ struct Body {
   Motion motion = Motion::free;
 
   [[nodiscard]] bool is_free() const { return motion == Motion::free; }
-  /// A wall or a platen: no part of the sample.
-  [[nodiscard]] bool is_wall() const { return motion == Motion::wall || motion == Motion::platen; }
+  [[nodiscard]] bool is_wall() const { return riprap::is_wall(motion); }
 
   /// Kinetic energy [J] with the mass that enters the equations of motion.
   [[nodiscard]] double kinetic_energy() const {

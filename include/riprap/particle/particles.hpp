@@ -49,6 +49,10 @@ class Particles {
   /// Of particle i [kg/m^3].
   [[nodiscard]] double density(BodyIndex i) const { return densities_[materials_[i]]; }
   [[nodiscard]] MaterialIndex material(BodyIndex i) const { return materials_[i]; }
+  /// Density of a material over that of another [-]: exactly 1 where the two are equal.
+  [[nodiscard]] double density_ratio(MaterialIndex material, MaterialIndex other) const {
+    return densities_[material] / densities_[other];
+  }
   /// Number of materials.
   [[nodiscard]] std::size_t materials() const { return densities_.size(); }
   /// Mass over volume of all bodies but walls and platens, of all where there are no others

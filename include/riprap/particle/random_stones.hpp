@@ -4,6 +4,7 @@
 /// Loose rectangular samples of stones from a library, convex or concave. Optional: not part of
 /// riprap.hpp.
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -29,6 +30,16 @@ struct StoneAssembly {
   [[nodiscard]] std::uint32_t count() const;  ///< of stones
   /// Particles by stone, by their places in the assembly: as bond_common_edges takes them.
   [[nodiscard]] std::vector<std::vector<std::size_t>> clusters() const;
+
+  /// Does not compile: whether the cells of a stone are bonded is for the program to say.
+  template <std::same_as<Assembly> A>
+  operator A() const {
+    static_assert(!std::same_as<A, Assembly>,
+                  "riprap: a StoneAssembly is no Assembly: give its member assembly, after "
+                  "bond_common_edges(sample.assembly, cluster) for each of sample.clusters() if "
+                  "its stones are to hold together");
+    return assembly;
+  }
 };
 
 /// Places stones at random without overlap in a rectangle about the origin, between four platens or

@@ -30,9 +30,19 @@ class BodyChanges {
   void set_velocity_about(BodyIndex i, const Vec2& point, const Vec2& velocity, double spin) {
     set_body_velocity_about(sim().particles_, i, point, velocity, spin);
   }
-  /// Frees or holds body i. Chooses the time step anew, for a lighter body may be free now.
+  /// Frees or holds body i. Chooses the time step anew, for a lighter body may be free now. Throws
+  /// InvalidInput where a bonded body would become a wall or a platen: the stress of a bond has its
+  /// branch from centroid to centroid, and a wall's does not belong to the sample. `prescribed`
+  /// clamps it.
   void set_motion(BodyIndex i, Motion motion) {
     require_body(sim().particles_, i);
+    if constexpr (Sim::bonded) {
+      const std::size_t bonds = sim().bonds().index().of(i).size();
+      require(bonds == 0 || !is_wall(motion),
+              particle_text(sim().particles_.ancestry(i).id) + ": its bonds",
+              static_cast<double>(bonds),
+              "must be none for a wall or a platen; Motion::prescribed holds it");
+    }
     sim().particles_.body(i).motion = motion;
     sim().contacts_.invalidate();
     sim().choose_time_step();

@@ -47,6 +47,7 @@ struct BondStage {
   static void update(const Particles&, Contacts&, const Moment&, const E&, bool) {}
   static void add_body(const Particles&) {}
   static void divide(const DividedBody&, const Particles&, const Domain&, const Moment&) {}
+  static void exclude_divided(auto&) {}
   static void remove(BodyIndex, const Particles&, auto&) {}
   [[nodiscard]] static const auto& interactions(const auto& contacts, const Particles&) {
     return contacts;
@@ -113,25 +114,38 @@ struct BondStage<Law, Domain> {
     bonds.remove(i, particles.size());
     exclude(contacts);
   }
-  /// Hands the bonds of a particle that has broken to its pieces; those of dust are broken. The
-  /// pairs of the contacts are to be found anew: `exclude`, when all particles have broken.
+  /// Hands the bonds of a particle that has broken to its pieces; those of dust are broken.
+  /// `exclude_divided` must come when all particles have broken.
   void divide(const DividedBody& broken, const Particles& particles, const Domain& domain,
               const Moment& now) {
     gone_.clear();
-    bonds.divide(broken, particles, domain, gone_);
+    if (bonds.divide(broken, particles, domain, gone_)) divided_ = true;
+    if (gone_.empty()) return;
+    const auto other_of = [&](const BondType& bond) {
+      return bond.a == broken.parent ? bond.b : bond.a;
+    };
+    const std::size_t first = breaks.size();
     for (const BondType& bond : gone_) {
-      const BodyIndex other = bond.a == broken.parent ? bond.b : bond.a;
+      const BodyIndex other = other_of(bond);
       const Body& a = bond.a == broken.parent ? broken.whole : particles.body(bond.a);
       breaks.push_back({.step = now.step,
                         .time = now.time,
                         .particles = {particles.ancestry(other).id, no_particle},
                         .place = bond.middle(a),
-                        .separates = true,
                         .ends = bond.a == other ? bond.on_a.ends : bond.on_b.ends,
                         .length = bond.length,
                         .energy = stored_energy(bond, bonds.law(), particles.thickness())});
       bonds.add_loss(breaks.back().energy);
     }
+    const auto dust = static_cast<BodyIndex>(particles.size());  // behind all bodies
+    find_separations(particles.size() + 1, first, [&](const BondType& bond) {
+      return std::pair{other_of(bond), dust};
+    });
+  }
+  /// Leaves the pairs of bonds of pieces out, if there are any: all pairs are to be found anew.
+  template <class Contacts>
+  void exclude_divided(Contacts& contacts) {
+    if (std::exchange(divided_, false)) exclude(contacts);
   }
   [[nodiscard]] auto interactions(const auto& contacts, const Particles& particles) const {
     return Interactions{contacts, bonds, particles};
@@ -178,7 +192,9 @@ struct BondStage<Law, Domain> {
         particles, std::span<const FormerPair<typename BondType::Image>>(former_),
         [&](std::size_t n, double energy) { breaks[first + event_of_[n]].energy -= energy; });
     for (std::size_t k = first; k < breaks.size(); ++k) bonds.add_loss(breaks[k].energy);
-    find_separations(particles, first);
+    find_separations(particles.size(), first, [](const BondType& bond) {
+      return std::pair{bond.a, bond.b};
+    });
   }
 
   void add_former(const BondType& bond, double thickness) {
@@ -203,14 +219,19 @@ struct BondStage<Law, Domain> {
   }
 
   // In the order of the breaks from `first` on: which of them leave two bodies that no chain of
-  // bonds joins. Those that break later are put back first.
-  void find_separations(const Particles& particles, std::size_t first) {
-    Components joined(particles.size());
+  // bonds joins. Those that break later are put back first. `ends_of(bond)` are the bodies of one
+  // in `gone_`.
+  template <class EndsOf>
+  void find_separations(std::size_t bodies, std::size_t first, EndsOf&& ends_of) {
+    Components joined(bodies);
     for (const BondType& bond : bonds) joined.join(bond.a, bond.b);
-    for (std::size_t k = gone_.size(); k-- > 0;)
-      breaks[first + k].separates = joined.join(gone_[k].a, gone_[k].b);
+    for (std::size_t k = gone_.size(); k-- > 0;) {
+      const auto [a, b] = ends_of(gone_[k]);
+      breaks[first + k].separates = joined.join(a, b);
+    }
   }
 
+  bool divided_ = false;  // a particle with bonds has broken since `exclude_divided`
   std::vector<BondType> gone_;
   std::vector<FormerPair<typename BondType::Image>> former_;
   std::vector<std::size_t> event_of_;  // of each of them, from the first of these breaks on

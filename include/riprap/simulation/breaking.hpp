@@ -41,7 +41,7 @@ class Breaking {
     const std::size_t first = sim().breaks_.size();
     (hooks::before_splits(observers, sim()), ...);
     for (const auto& [i, crack] : cracks) split(i, crack);
-    sim().bonds_.exclude(sim().contacts_);
+    sim().bonds_.exclude_divided(sim().contacts_);
     sim().contacts_.update_pieces(sim().particles_);
     (hooks::after_splits(observers, sim()), ...);
     for (std::size_t k = first; k < sim().breaks_.size(); ++k)
