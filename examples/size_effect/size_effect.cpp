@@ -55,8 +55,10 @@ struct Result {
 
 [[nodiscard]] Result run(const Test& t, const Options& o) {
   // One thickness: but for the strengths, samples of one seed are drawn larger or smaller.
+  WeibullStrength strength = o.strength;
+  strength.seed = t.seed;
   Simulation sim{
-      Model{}.trigger(o.strength),
+      Model{}.trigger(strength),
       random_assembly({.count = o.particles, .mean_diameter = t.diameter, .seed = t.seed}), Rock{}};
   Curve curve;
   BiaxialTest{.confining_pressure = t.pressure, .axial_strain = o.strain}.run(sim, curve);
@@ -95,9 +97,10 @@ constexpr auto breaks = [](const Result& r) { return r.breaks; };
 [[nodiscard]] run_table::Task task_of(const Test& t, const Options& o) {
   std::ostringstream key;
   key.precision(17);
-  key << "# d " << t.diameter << " m, " << t.pressure << " Pa, seed " << t.seed << ", modulus "
-      << o.strength.modulus << ", dimension " << o.strength.dimension << ", reference "
-      << o.reference_diameter << " m, " << o.particles << " particles, strain " << o.strain;
+  key << "# d " << t.diameter << " m, " << t.pressure << " Pa, sample and strengths of seed "
+      << t.seed << ", modulus " << o.strength.modulus << ", dimension " << o.strength.dimension
+      << ", reference " << o.reference_diameter << " m, " << o.particles << " particles, strain "
+      << o.strain;
   char name[80];
   std::snprintf(name, sizeof name, "d=%gmm_p=%gMPa_seed=%llu.txt", 1e3 * t.diameter,
                 1e-6 * t.pressure, static_cast<unsigned long long>(t.seed));
