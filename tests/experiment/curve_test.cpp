@@ -273,7 +273,8 @@ TEST_CASE("a curve takes clusters of bonded cells for particles") {
                  bonded_cells(random_periodic_assembly({.count = 30}), {.count = 5, .seed = 1}),
                  Rock{}};
   REQUIRE(sim.particles().size() == 150);
-  sim.step();
+  sim.boundary().set_rate(50, 50);
+  for (int n = 0; n < 20'000 && fragment_coordination(sim).coordination_number < 1; ++n) sim.step();
   BiaxialView<decltype(sim)> view{.sim = sim, .stage = Stage::shear};
   view.mean_diameter = 0.016;
   view.area = sim.boundary().region(sim.particles()).area();
@@ -282,8 +283,8 @@ TEST_CASE("a curve takes clusters of bonded cells for particles") {
   curve.record(view);
   CHECK(curve.points()[0].particles == 30);
   CHECK(curve.points()[0].breakages == 0);
-  CHECK(curve.points()[0].coordination.coordination_number ==
-        fragment_coordination(sim).coordination_number);
+  CHECK(curve.points()[0].coordination.coordination_number >= 1);
+  CHECK(coordination(sim.contacts(), sim.particles()).coordination_number < 1);
   const ParticleId first = sim.particles().ancestry(0).root;
   sim.break_bonds([&](const auto& bond) { return sim.particles().ancestry(bond.a).root == first; });
   sim.step();

@@ -32,7 +32,7 @@ TEST_CASE("a particle may break until its root has as many pieces as the splitte
 TEST_CASE("a cluster may have as many pieces for each of its cells") {
   const StraightCut splitter{.maximum_pieces = 3};
   Particles particles(1, 1);
-  for (int i = 0; i < 3; ++i)
+  for (BodyIndex i = 0; i < 3; ++i)
     particles.set_root(particles.add(ConvexPolygon{{0, 0}, {1, 0}, {0, 1}}, Motion::free), i / 2);
   PieceLimit limit;
   limit.count_cells(particles);

@@ -17,6 +17,7 @@
 #include <riprap/contact/contact_law/concepts.hpp>
 #include <riprap/contact/contact_law/contact_law_choice.hpp>
 #include <riprap/contact/contact_law/frictionless.hpp>
+#include <riprap/contact/mixing_rule/mixed_contact_law.hpp>
 
 namespace riprap {
 namespace internal {
@@ -161,6 +162,15 @@ void check_after_bond(const Law& law, const ContactRange& range, AxiomCheck& che
               begin(contact_of(range, corner, depth, std::numbers::sqrt2), pressing, shearing,
                     softness / law.peak_stiffness());
   }
+}
+template <ContactLaw... Laws>
+void check_after_bond(const ContactLawChoice<Laws...>& law, const ContactRange& range,
+                      AxiomCheck& check);
+/// Of the law of two bodies of material 0, as which all contacts here are evaluated.
+template <ContactLaw Law, class Rule>
+void check_after_bond(const MixedContactLaw<Law, Rule>& law, const ContactRange& range,
+                      AxiomCheck& check) {
+  check_after_bond(law.of(0, 0), range, check);
 }
 /// Of the chosen one, which may be without.
 template <ContactLaw... Laws>

@@ -22,8 +22,9 @@
 
 namespace riprap {
 
-/// One state of a test; SI units, strains and ratios as fractions. Of a model with bonds the
-/// particles, their coordination and breakages are those of fragments; the fabric, of all contacts.
+/// One state of a test; SI units, strains and ratios as fractions. With bonds the particles
+/// and their coordination are those of fragments, breakages are `breakages(sim)`, and the fabric is
+/// that of all contacts.
 struct CurvePoint {
   double axial_strain = 0;
   double volumetric_strain = 0;

@@ -61,8 +61,12 @@ template <class Sim>
 /// Number of fragments, walls and platens included.
 template <class Sim>
 [[nodiscard]] std::size_t fragment_count(const Sim& sim) {
-  const std::vector<std::uint32_t> numbers = fragment_numbers(sim);
-  return numbers.empty() ? 0 : *std::ranges::max_element(numbers) + std::size_t{1};
+  if constexpr (!has_bonds<Sim>) {
+    return sim.particles().size();
+  } else {
+    const std::vector<std::uint32_t> numbers = fragment_numbers(sim);
+    return numbers.empty() ? 0 : *std::ranges::max_element(numbers) + std::size_t{1};
+  }
 }
 
 /// The fragments of a simulation, walls and platens left out, in the order of their lowest bodies.
@@ -118,15 +122,30 @@ template <class Sim>
   return count;
 }
 
-/// As `coordination`, of free fragments: one touches another once, with however many of its bodies.
+namespace internal {
+
+/// Of each fragment, whether none of its bodies is driven.
+/// @param numbers of the fragments of the bodies
+[[nodiscard]] inline std::vector<bool> free_fragments(const std::vector<std::uint32_t>& numbers,
+                                                      const Particles& particles) {
+  std::vector<bool> is_free(numbers.size(), false);
+  for (const std::uint32_t number : numbers) is_free[number] = true;
+  for (BodyIndex i = 0; i < numbers.size(); ++i)
+    if (!particles.body(i).is_free()) is_free[numbers[i]] = false;
+  return is_free;
+}
+
+}  // namespace internal
+
+/// As `coordination`, of free fragments: one touches another once, with however many of its bodies
+/// and, in a small periodic cell, images.
 template <class Sim>
 [[nodiscard]] Coordination fragment_coordination(const Sim& sim) {
   if constexpr (!has_bonds<Sim>) {
     return coordination(sim.contacts(), sim.particles());
   } else {
     const std::vector<std::uint32_t> numbers = fragment_numbers(sim);
-    std::vector<bool> is_free(numbers.size(), false);
-    for (const Fragment& fragment : fragments(sim)) is_free[fragment.number] = fragment.is_free;
+    const std::vector<bool> is_free = internal::free_fragments(numbers, sim.particles());
     std::vector<std::array<std::uint32_t, 2>> pairs;
     sim.contacts().for_each_touching([&](const auto& c) {
       const auto [first, second] = std::minmax(numbers[c.a], numbers[c.b]);
@@ -160,9 +179,7 @@ template <class Sim>
 template <class Sim>
 [[nodiscard]] std::vector<bool> fragment_rattlers(const Sim& sim, unsigned fewest = 2) {
   const std::vector<std::uint32_t> numbers = fragment_numbers(sim);
-  std::vector<bool> is_free(numbers.size(), true);
-  for (BodyIndex i = 0; i < numbers.size(); ++i)
-    if (!sim.particles().body(i).is_free()) is_free[numbers[i]] = false;
+  const std::vector<bool> is_free = internal::free_fragments(numbers, sim.particles());
   const std::vector<bool> of_fragments = rattlers(loaded_fragment_contacts(sim), is_free, fewest);
   std::vector<bool> out;
   for (const std::uint32_t number : numbers) out.push_back(of_fragments[number]);

@@ -34,7 +34,7 @@ struct StoneAssembly {
   /// Does not compile: whether the cells of a stone are bonded is for the program to say.
   template <std::same_as<Assembly> A>
   operator A() const {
-    static_assert(!std::same_as<A, Assembly>,
+    static_assert(std::same_as<A, StoneAssembly>,
                   "riprap: a StoneAssembly is no Assembly: give its member assembly, after "
                   "bond_common_edges(sample.assembly, cluster) for each of sample.clusters() if "
                   "its stones are to hold together");

@@ -137,8 +137,12 @@ struct BondStage<Law, Domain> {
                         .energy = stored_energy(bond, bonds.law(), particles.thickness())});
       bonds.add_loss(breaks.back().energy);
     }
-    const auto dust = static_cast<BodyIndex>(particles.size());  // behind all bodies
-    find_separations(particles.size() + 1, first, [&](const BondType& bond) {
+    // Dust is one more body. What it was cut off from is separated by the break of the particle.
+    const auto dust = static_cast<BodyIndex>(particles.size());
+    Components joined(particles.size() + 1);
+    for (const std::optional<BodyIndex>& piece : broken.pieces)
+      if (piece) joined.join(*piece, dust);
+    find_separations(joined, first, [&](const BondType& bond) {
       return std::pair{other_of(bond), dust};
     });
   }
@@ -192,9 +196,8 @@ struct BondStage<Law, Domain> {
         particles, std::span<const FormerPair<typename BondType::Image>>(former_),
         [&](std::size_t n, double energy) { breaks[first + event_of_[n]].energy -= energy; });
     for (std::size_t k = first; k < breaks.size(); ++k) bonds.add_loss(breaks[k].energy);
-    find_separations(particles.size(), first, [](const BondType& bond) {
-      return std::pair{bond.a, bond.b};
-    });
+    Components joined(particles.size());
+    find_separations(joined, first, [](const BondType& bond) { return std::pair{bond.a, bond.b}; });
   }
 
   void add_former(const BondType& bond, double thickness) {
@@ -222,8 +225,7 @@ struct BondStage<Law, Domain> {
   // bonds joins. Those that break later are put back first. `ends_of(bond)` are the bodies of one
   // in `gone_`.
   template <class EndsOf>
-  void find_separations(std::size_t bodies, std::size_t first, EndsOf&& ends_of) {
-    Components joined(bodies);
+  void find_separations(Components& joined, std::size_t first, EndsOf&& ends_of) {
     for (const BondType& bond : bonds) joined.join(bond.a, bond.b);
     for (std::size_t k = gone_.size(); k-- > 0;) {
       const auto [a, b] = ends_of(gone_[k]);

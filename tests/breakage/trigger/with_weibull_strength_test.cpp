@@ -73,8 +73,7 @@ TEST_CASE("a particle breaks at its strength factor times the force of the mean 
 
 TEST_CASE("parameters of both are checked") {
   CHECK_THROWS_AS(WithWeibullStrength{BrazilianStrength{0}}.validate(), InvalidInput);
-  CHECK_THROWS_WITH_AS(
-      (WithWeibullStrength<BrazilianStrength>{.modulus = 0}.validate()),
-      "WeibullStrength.modulus = 0: must be a number above 0; infinity: no scatter", InvalidInput);
+  CHECK_THROWS_WITH_AS((WithWeibullStrength<BrazilianStrength>{.modulus = 0}.validate()),
+                       "WeibullStrength.modulus = 0: must be a number above 0", InvalidInput);
   CHECK_NOTHROW(WithWeibullStrength{BrazilianStrength{}}.validate());
 }

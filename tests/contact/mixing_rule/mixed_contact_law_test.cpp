@@ -202,6 +202,10 @@ TEST_CASE("a contact that takes the place of a bond begins by the law of its mat
   CHECK(parting(law, same, 0) == parting(soft, Rock{}, 0));
   CHECK(parting(law, same, 1) == parting(stiff, Rock{}, 0));
   CHECK(parting(soft, Rock{}, 0) != parting(stiff, Rock{}, 0));
+  // Without a function for it a contact begins anew, by the law of its materials as well.
+  const LinearSpringCoulomb weak{.normal_stiffness = 1e8};
+  const LinearSpringCoulomb strong{.normal_stiffness = 3e8};
+  CHECK(parting(MixedContactLaw{{weak, strong}}, same, 1) == parting(strong, Rock{}, 0));
 }
 
 TEST_CASE("two materials without losses keep their energy") {

@@ -50,8 +50,7 @@ struct WeibullStrength {
   }
 
   void validate() const {
-    require(modulus > 0, "WeibullStrength.modulus", modulus,
-            "must be a number above 0; infinity: no scatter");
+    require(modulus > 0, "WeibullStrength.modulus", modulus, "must be a number above 0");
     require_positive("WeibullStrength.reference_area", reference_area);
     require_positive("WeibullStrength.critical", critical);
     require_non_negative("WeibullStrength.dimension", dimension);

@@ -20,7 +20,7 @@ struct WithWeibullStrength {
   std::uint64_t seed = 1;
   double dimension = 2;  ///< of the size effect [-]: strength falls as d^(-dimension / modulus)
 
-  /// Strength of a particle over that of the mean one [-].
+  /// Strength of a particle over that of `trigger` and criterion [-].
   [[nodiscard]] double strength_factor(ParticleId id, double area) const {
     return strength().strength_factor(id, area);
   }

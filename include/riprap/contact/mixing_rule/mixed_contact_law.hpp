@@ -78,9 +78,7 @@ class MixedContactLaw {
             history.pair};
   }
   [[nodiscard]] History history_after_bond(const ContactGeometry& geometry,
-                                           const FormerBond& bond) const
-    requires requires(const Law& law) { law.history_after_bond(geometry, bond); }
-  {
+                                           const FormerBond& bond) const {
     const std::uint32_t pair = place_of(bond.material_a, bond.material_b);
     return {riprap::history_after_bond(pairs_[pair], geometry, bond), pair};
   }
