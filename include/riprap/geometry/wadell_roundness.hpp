@@ -12,8 +12,9 @@
 
 namespace riprap {
 
-/// How closely circles follow an outline. The defaults are those of the program of J. Zheng and
-/// R. D. Hryciw, 0.3 pixels where the largest circle inside has a radius of 100.
+/// How closely circles follow an outline. The program of J. Zheng and R. D. Hryciw has 0.3 pixels
+/// for any size and 0.98; in proportion to the largest circle inside, 0.3 pixels of a radius of
+/// 100, the deviation is this library's.
 struct CornerFit {
   double deviation = 0.003;  ///< of the outline from lines between key points, over that radius
   double closeness = 0.98;   ///< of distances from the centre to the circle's radius, at least
@@ -37,15 +38,16 @@ struct OutlineCorners {
 ///   as far out of it.
 /// Corners are taken in falling order of the angle by which the outline turns, where the paper goes
 /// round from a start. A key point outside all corners at which the outline turns by more than an
-/// edge of a circle may, 2 acos(closeness), 23 degrees, is a sharp corner.
+/// edge of a circle may, 2 acos(closeness), 23 degrees, is a sharp corner: a corner that no circle
+/// fits counts once for each such point, or not at all. The paper fits circles to key points alone.
 ///
 /// So a corner needs edges that turn by less than 23 degrees each, and a radius above some 0.02 of
 /// the largest circle's; a polygon with few vertices is sharp. Where corners are less than four
 /// tenths of their radius apart, a circle may take in a part of the next; where the curvature
 /// varies, as at the end of an ellipse, its radius exceeds the least one by a share of the order of
-/// sqrt(1 - closeness). Roughness above the deviation makes corners of its own: smooth it first
-/// (smoothed_outline.hpp). Throws InvalidInput for a fit that breaks a rule, and for an outline in
-/// which it finds no corner.
+/// sqrt(1 - closeness). Roughness above the deviation makes corners of its own, or divides one:
+/// smooth it first (smoothed_outline.hpp), which leaves some (docs/shapes.md). Throws InvalidInput
+/// for a fit that breaks a rule, and for an outline in which it finds no corner.
 [[nodiscard]] OutlineCorners outline_corners(const Outline& outline, const CornerFit& fit = {});
 
 /// Mean radius of the corners over that of the largest circle inside [-]: 1 of a circle, r / R of a
