@@ -42,8 +42,8 @@ void for_each_field(T& object, Visit&& visit) {
   using Type = std::remove_const_t<T>;
   if constexpr (NamesFields<Type>)
     Type::for_each_field(object, std::forward<Visit>(visit));
-  else
-    static_assert(std::is_empty_v<Type>,
+  else if constexpr (!std::is_empty_v<Type>)
+    static_assert(NamesFields<Type>,
                   "riprap: a type that is saved must name its state: template <class Self, class "
                   "Visit> static void for_each_field(Self&, Visit&&) (docs/checkpoints.md)");
 }

@@ -33,13 +33,13 @@ struct LoadingHooks : StepHooks<O, Sim> {
 };
 
 template <class O, class Sim>
-using BiaxialHooks = LoadingHooks<O, Sim>;
+concept HasLoadingHook = LoadingHooks<O, Sim>::any;
 
 /// Refuses an observer that a test would never call: a hook may be misspelt.
 template <class O, class Sim>
 consteval void check_loading_observer() {
   static_assert(
-      BiaxialHooks<O, Sim>::any,
+      HasLoadingHook<O, Sim>,
       "riprap: an observer of a LoadingPath or BiaxialTest must have one of the hooks begin_stage, "
       "progress, record, record_break, stop_requested, end_stage, or one of a step "
       "(docs/policies/observer.md)");

@@ -59,11 +59,15 @@ struct StepHooks {
                               on_break || on_bond_break || after_splits || after_step;
 };
 
+/// A concept, of which both compilers give the sentence without its condition.
+template <class O, class Sim>
+concept HasStepHook = StepHooks<O, Sim>::any;
+
 /// Refuses an observer that a step would never call: a hook may be misspelt.
 template <class O, class Sim>
 consteval void check_step_observer() {
   static_assert(
-      StepHooks<O, Sim>::any,
+      HasStepHook<O, Sim>,
       "riprap: an observer of a step must have one of the hooks on_phase_end, before_forces, "
       "after_forces, before_splits, on_break, on_bond_break, after_splits, after_step "
       "(docs/policies/observer.md)");
