@@ -19,7 +19,7 @@ Sample loaded_particles(const Test& test) {
     if (test.breakage && particles.ancestry(i).generation == 0) continue;
     LoadedParticle particle;
     for (const ContactLoad& load : loads_on(sim.contacts(), i))
-      particle.forces.push_back({load.arm_lab, load.force_lab});
+      if (load.force_lab != Vec2{0, 0}) particle.forces.push_back({load.arm_lab, load.force_lab});
     if (particle.forces.size() < 3) continue;
     for (const Vec2& x : particles.ring(i)) particle.ring.push_back(x - particles.body(i).position);
     sample.particles.push_back(particle);

@@ -35,8 +35,8 @@ struct Test {
   bool breakage = false;
 };
 
-// Free particles with three contacts or more at the end of the test: of one without breakage all of
-// them, of one with breakage pieces alone.
+// Free particles with three loaded contacts or more at the end of the test: of one without breakage
+// all of them, of one with breakage pieces alone.
 [[nodiscard]] Sample loaded_particles(const Test& test);
 
 // As text; numbers keep all digits.
