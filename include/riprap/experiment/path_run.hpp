@@ -272,7 +272,7 @@ class PathRun {
   // A tuple of an observer that has hooks of a step, or of none.
   template <class O>
   [[nodiscard]] static auto if_of_step(O& observer) {
-    if constexpr (hooks::StepHooks<std::remove_cv_t<O>, Sim>::any)
+    if constexpr (hooks::HasStepHook<std::remove_cv_t<O>, Sim>)
       return std::tie(observer);
     else
       return std::tuple<>{};

@@ -28,7 +28,7 @@ struct LoadingHooks : StepHooks<O, Sim> {
                                     requires { requires IsFunction<&O::end_stage>; };
   static constexpr bool stop_requested = requires(O& o, View& view) { o.stop_requested(view); } ||
                                          requires { requires IsFunction<&O::stop_requested>; };
-  static constexpr bool any = StepHooks<O, Sim>::any || begin_stage || progress || record ||
+  static constexpr bool any = HasStepHook<O, Sim> || begin_stage || progress || record ||
                               record_break || stop_requested || end_stage;
 };
 

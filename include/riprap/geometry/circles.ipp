@@ -73,14 +73,8 @@ namespace internal {
 
 /// Of a point from the nearest edge of a simple ring [m], negative outside.
 [[nodiscard]] inline double depth_inside(const Vec2& x, Ring ring) {
-  bool inside = false;  // a ray to the right crosses an odd number of edges
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Vec2& p = ring[k];
-    const Vec2& q = ring[next_vertex(k, ring.size())];
-    if ((p.y() > x.y()) != (q.y() > x.y()) && (LineSide(p, q)(x) > 0) == (q.y() > p.y()))
-      inside = !inside;
-  }
-  return inside ? distance_to_ring(x, ring) : -distance_to_ring(x, ring);
+  const double distance = distance_to_ring(x, ring);
+  return ring_contains(ring, x) ? distance : -distance;
 }
 
 /// A square in which circles may be centred, and a bound on their radii [m].

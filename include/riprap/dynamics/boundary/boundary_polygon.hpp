@@ -80,8 +80,6 @@ class BoundaryPolygon {
   [[nodiscard]] static double area_in_wedge(Ring ring, const Vec2& side_in, const Vec2& side_out,
                                             const Vec2& corner);
 
-  [[nodiscard]] static bool contains(const std::vector<Vec2>& ring, const Vec2& x);
-
   const Particles& particles_;
   Vec2 centre_;
   std::vector<BodyIndex> members_;

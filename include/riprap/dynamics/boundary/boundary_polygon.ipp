@@ -6,6 +6,7 @@
 #include <string>
 
 #include <riprap/dynamics/boundary/boundary_polygon.hpp>
+#include <riprap/geometry/ring_distance.hpp>
 
 namespace riprap {
 
@@ -74,7 +75,7 @@ RIPRAP_INLINE std::size_t BoundaryPolygon::lost() const {
   const std::vector<Vec2> ring = vertices();
   std::size_t count = 0;
   for (const Body& body : particles_.bodies())
-    count += body.is_free() && !contains(ring, body.position);
+    count += body.is_free() && !ring_contains(ring, body.position);
   return count;
 }
 
@@ -93,17 +94,6 @@ RIPRAP_INLINE double BoundaryPolygon::area_in_wedge(Ring ring, const Vec2& side_
   const std::vector<Vec2> half = part_on_left(ring, {corner, sign * side_in.normalized()});
   const double bounded = area_on_left(half, {corner, sign * side_out.normalized()});
   return reflex ? area_properties(ring).area - bounded : bounded;
-}
-
-RIPRAP_INLINE bool BoundaryPolygon::contains(const std::vector<Vec2>& ring, const Vec2& x) {
-  bool inside = false;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    const Vec2& p = ring[i];
-    const Vec2& q = ring[j];
-    if ((p.y() > x.y()) == (q.y() > x.y())) continue;
-    if (x.x() < p.x() + (q.x() - p.x()) * (x.y() - p.y()) / (q.y() - p.y())) inside = !inside;
-  }
-  return inside;
 }
 
 }  // namespace riprap
