@@ -5,12 +5,25 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include <riprap/breakage/refused_cuts.hpp>
 #include <riprap/checkpoint/fields_of.hpp>
+#include <riprap/core/exact_sum.hpp>
+#include <riprap/dynamics/boundary/periodic_cell.hpp>
+#include <riprap/dynamics/boundary/rigid_platens.hpp>
+#include <riprap/dynamics/boundary/strain_field.hpp>
+#include <riprap/experiment/check_table.hpp>
+#include <riprap/experiment/curve.hpp>
+#include <riprap/experiment/displacement_paths.hpp>
+#include <riprap/experiment/incremental_displacement.hpp>
 #include <riprap/experiment/loading_stage.hpp>
+#include <riprap/experiment/wall_servo.hpp>
+#include <riprap/measurement/energy_ledger.hpp>
+#include <riprap/simulation/external_loads.hpp>
 #include <support/message_of.hpp>
 
 using namespace riprap;
@@ -219,11 +232,26 @@ struct Forgetful {
   }
 };
 
+// No aggregate, but one that says that it names everything.
+class Careless {
+ public:
+  static constexpr bool names_all_members = true;
+  static void for_each_field(auto& self, auto&& visit) { visit("named", self.named_); }
+  [[nodiscard]] double sum() const { return named_ + forgotten_; }
+
+ private:
+  double named_ = 1;
+  double forgotten_ = 2;
+};
+
 }  // namespace
 
 TEST_CASE("A member that is not named is found") {
   CHECK(test::contains(test::message_of([] { (void)fields_of(Forgetful{}, "f"); }),
                        "Forgetful names 24 of 48 bytes"));
+  CHECK(Careless{}.sum() == 3);
+  CHECK(test::contains(test::message_of([] { (void)fields_of(Careless{}, "c"); }),
+                       "Careless names 8 of 16 bytes"));
 }
 
 namespace {
@@ -253,4 +281,21 @@ TEST_CASE("Parameters that are named apart from the state count as named") {
                        "WithParameters names 16 of 24 bytes"));
   check_all_named(static_cast<AxisControl*>(nullptr));
   check_all_named(static_cast<EndCondition*>(nullptr));
+}
+
+TEST_CASE("Classes of riprap that keep nothing derived name all of their members") {
+  const auto must_name = []<class... Parts>(std::type_identity<Parts>...) {
+    static_assert((internal::must_name_all<Parts>() && ...));
+    (check_named<Parts>(), ...);
+  };
+  must_name(std::type_identity<EnergyLedger>{}, std::type_identity<ExactSum>{},
+            std::type_identity<Curve>{}, std::type_identity<CheckTable>{},
+            std::type_identity<DisplacementPaths>{}, std::type_identity<IncrementalDisplacement>{},
+            std::type_identity<StrainField>{}, std::type_identity<RigidPlatens>{},
+            std::type_identity<PeriodicCell>{}, std::type_identity<ExternalLoads>{},
+            std::type_identity<RefusedCuts>{});
+  CHECK(test::message_of([] { (void)fields_of(PressureServo(1, 1, 1), "servo"); }).empty());
+  CHECK(test::message_of([] {
+          (void)fields_of(WallServo(0, {0, 1}, 1, 1, 1, 1), "servo");
+        }).empty());
 }

@@ -43,6 +43,7 @@ class RefusedCuts {
     return refusal.active;
   }
 
+  static constexpr bool names_all_members = true;
   static void for_each_field(auto& self, auto&& visit) { visit("refusals", self.refusals_); }
 
  private:

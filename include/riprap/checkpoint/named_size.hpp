@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 /// @file
-/// Whether an aggregate names all of its members: one that was added later is easily forgotten.
+/// Whether a class names all of its members: one that was added later is easily forgotten.
 
 #include <algorithm>
 #include <cstddef>
@@ -39,12 +39,20 @@ void add_parameters(const T& object, NamedSize& named) {
     T::for_each_parameter(object, add);
 }
 
-/// Throws InvalidInput for an aggregate that is larger than what it names, unless it says that the
-/// rest is derived: `static constexpr bool names_all_members = false`.
+/// Whether a class has to name all of its members: an aggregate, unless it says that the rest is
+/// derived (`static constexpr bool names_all_members = false`), and another class that says so.
+template <class T>
+[[nodiscard]] consteval bool must_name_all() {
+  if constexpr (requires { T::names_all_members; })
+    return T::names_all_members;
+  else
+    return std::is_aggregate_v<T> && !std::is_empty_v<T>;
+}
+
+/// Throws InvalidInput for a class that is larger than what it names, if it must name all.
 template <class T>
 void require_all_named(const NamedSize& named) {
-  if constexpr (std::is_aggregate_v<T> && !std::is_empty_v<T> &&
-                !requires { T::names_all_members; })
+  if constexpr (must_name_all<T>())
     if (named.size() < sizeof(T))
       throw InvalidInput("for_each_field of " + std::string(type_name<T>()) + " names " +
                          std::to_string(named.size()) + " of " + std::to_string(sizeof(T)) +

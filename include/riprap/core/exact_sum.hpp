@@ -72,6 +72,7 @@ class ExactSum {
     return is_negative ? -sum.magnitude() : sum.magnitude();
   }
 
+  static constexpr bool names_all_members = true;
   static void for_each_field(auto& self, auto&& visit) {
     visit("chunks", self.chunks_);
     visit("not_finite", self.not_finite_);

@@ -63,6 +63,7 @@ class CheckTable {
   std::string measure(std::size_t row, double value, Stage stage, double axial_strain,
                       std::string_view stage_name = {});
 
+  static constexpr bool names_all_members = true;
   static void for_each_field(auto& self, auto&& visit) { visit("rows", self.rows_); }
 
  private:

@@ -143,6 +143,7 @@ class Curve {
     ledger_.after_splits(sim);
   }
 
+  static constexpr bool names_all_members = true;
   static void for_each_field(auto& self, auto&& visit) {
     visit("points", self.points_);
     visit("breaks", self.breaks_);

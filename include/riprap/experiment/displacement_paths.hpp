@@ -53,6 +53,7 @@ class DisplacementPaths {
     }
   }
 
+  static constexpr bool names_all_members = true;
   static void for_each_field(auto& self, auto&& visit) { visit("paths", self.paths_); }
 
  private:

@@ -71,6 +71,7 @@ class IncrementalDisplacement {
     return out;
   }
 
+  static constexpr bool names_all_members = true;
   static void for_each_field(auto& self, auto&& visit) {
     visit("starts", self.starts_);
     visit("dust_areas", self.dust_areas_);

@@ -35,6 +35,7 @@ class PressureServo {
   /// Calls in which the rate was held at its limit.
   [[nodiscard]] std::uint64_t saturated() const { return saturated_; }
 
+  static constexpr bool names_all_members = true;
   static void for_each_field(auto& self, auto&& visit) {
     visit("gain", self.gain_);
     visit("integral_gain", self.integral_gain_);

@@ -55,6 +55,7 @@ class WallServo {
     sim.set_velocity(body_, speed * direction_);
   }
 
+  static constexpr bool names_all_members = true;
   static void for_each_field(auto& self, auto&& visit) {
     visit("body", self.body_);
     visit("direction", self.direction_);

@@ -134,6 +134,7 @@ class EnergyLedger {
     return t;
   }
 
+  static constexpr bool names_all_members = true;
   static void for_each_field(auto& self, auto&& visit) {
     visit("terms", self.terms_);
     visit("start", self.start_);
@@ -141,6 +142,7 @@ class EnergyLedger {
     visit("slip", self.slip_);
     visit("dashpot", self.dashpot_);
     visit("bonds", self.bonds_);
+    visit("added", self.added_);
     visit("contact_work", self.contact_work_);
     visit("before_split", self.before_split_);
     visit("is_open", self.is_open_);

@@ -32,6 +32,7 @@ class ExternalLoads {
     if (i < loads_.size()) loads_.erase(loads_.begin() + static_cast<std::ptrdiff_t>(i));
   }
 
+  static constexpr bool names_all_members = true;
   static void for_each_field(auto& self, auto&& visit) { visit("loads", self.loads_); }
 
  private:

@@ -84,6 +84,7 @@ class PeriodicCell {
     return {particles, domain_};
   }
 
+  static constexpr bool names_all_members = true;
   static void for_each_field(auto& self, auto&& visit) { visit("domain", self.domain_); }
 
  private:

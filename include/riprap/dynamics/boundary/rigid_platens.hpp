@@ -57,6 +57,7 @@ class RigidPlatens {
 
   [[nodiscard]] PlatenRegion region(const Particles& particles) const;
 
+  static constexpr bool names_all_members = true;
   static void for_each_field(auto& self, auto&& visit) {
     visit("rate", self.rate_);
     visit("centre", self.centre_);

@@ -43,6 +43,7 @@ class StrainField {
     return {particles, centre_};
   }
 
+  static constexpr bool names_all_members = true;
   static void for_each_field(auto& self, auto&& visit) {
     visit("rate", self.rate_);
     visit("centre", self.centre_);
