@@ -112,6 +112,7 @@ template <class ModelType>
       stops.steps.push_back(sim.steps());
   }
   REQUIRE(sim.breaks().size() >= breaks);
+  REQUIRE(!stops.steps.empty());  // a step in mid-slip
   const std::uint64_t third = sim.breaks()[2].step;
   for (const std::uint64_t step : {third - 1, third, third + 1}) stops.steps.push_back(step);
   for (int k = 0; k < 100; ++k) experiment.step(sim);
@@ -289,6 +290,82 @@ TEST_CASE(
   Compression<decltype(weak_model())> other_experiment;
   CHECK(test::contains(message(simulation_of(weak_model(), 1), other_experiment),
                        "EnergyLedger in the file and "));
+}
+
+namespace {
+
+// An observer as it was when a checkpoint was written, and after a change of the program.
+enum class Layout { whole, more, fewer, other_type };
+Layout layout = Layout::whole;
+struct Changing {
+  double first = 1;
+  double second = 2;
+  int whole = 3;
+  static constexpr bool names_all_members = false;
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("first", self.first);
+    if (layout == Layout::other_type) visit("second", self.whole);
+    if (layout == Layout::whole || layout == Layout::more) visit("second", self.second);
+    if (layout == Layout::more) visit("third", self.second);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("A checkpoint with other fields of an observer is refused, and nothing is changed") {
+  auto sim = simulation_of(weak_model(), 1);
+  const test::TemporaryFile file;
+  write_checkpoint(file.path(), sim, Changing{10, 20, 30});
+  for (int k = 0; k < 10; ++k) sim.step();
+  const std::uint64_t before = digest(internal::checkpoint_fields(sim));
+  const auto message = [&](Layout changed) {
+    layout = changed;
+    Changing observer;
+    const std::string text = test::message_of([&] { read_checkpoint(file.path(), sim, observer); });
+    layout = Layout::whole;
+    CHECK(observer.first == 1);
+    CHECK(observer.second == 2);
+    CHECK(observer.whole == 3);
+    CHECK(digest(internal::checkpoint_fields(sim)) == before);
+    return text;
+  };
+  CHECK(message(Layout::more) == file.path() + ": checkpoint/parts/0 has no field 'third'");
+  CHECK(message(Layout::fewer) ==
+        file.path() + ": checkpoint/parts/0/second: no such field in the program");
+  CHECK(message(Layout::other_type) ==
+        file.path() + ": checkpoint/parts/0/second: numbers of another type or shape");
+  Changing observer;
+  read_checkpoint(file.path(), sim, observer);
+  CHECK(observer.second == 20);
+}
+
+TEST_CASE("The file says which schema and versions wrote it, and its arrays have checksums") {
+  const auto sim = simulation_of(weak_model(), 1);
+  const test::TemporaryFile file;
+  write_checkpoint(file.path(), sim);
+  using internal::Hdf5Id;
+  const Hdf5Id hdf5(H5Fopen(file.path().c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open");
+  std::uint64_t schema = 0;
+  const Hdf5Id of_schema(H5Aopen(hdf5, "schema", H5P_DEFAULT), H5Aclose, "open");
+  REQUIRE(H5Aread(of_schema, H5T_NATIVE_UINT64, &schema) >= 0);
+  CHECK(schema == checkpoint_schema);
+  const std::string library = std::to_string(H5_VERS_MAJOR) + '.' + std::to_string(H5_VERS_MINOR) +
+                              '.' + std::to_string(H5_VERS_RELEASE);
+  for (const char* const name : {"riprap", "hdf5"}) {
+    const Hdf5Id attribute(H5Aopen(hdf5, name, H5P_DEFAULT), H5Aclose, "open");
+    const Hdf5Id type(H5Aget_type(attribute), H5Tclose, "open");
+    std::string text(H5Tget_size(type), '\0');
+    REQUIRE(H5Aread(attribute, type, text.data()) >= 0);
+    CHECK(text == (name[0] == 'r' ? std::string(version) : library));
+  }
+  const Hdf5Id set(H5Dopen2(hdf5, "simulation/particles/local_vertices", H5P_DEFAULT), H5Dclose,
+                   "open");
+  const Hdf5Id properties(H5Dget_create_plist(set), H5Pclose, "open");
+  REQUIRE(H5Pget_nfilters(properties) == 1);
+  unsigned flags = 0;
+  std::size_t values = 0;
+  CHECK(H5Pget_filter2(properties, 0, &flags, &values, nullptr, 0, nullptr, nullptr) ==
+        H5Z_FILTER_FLETCHER32);
 }
 
 TEST_CASE("The file that a part appends to is brought to the disk first") {

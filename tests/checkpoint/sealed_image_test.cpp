@@ -32,7 +32,7 @@ TEST_CASE("The head is text, and a whole image is accepted") {
   CHECK(message(image).empty());
   std::string head(512, '\0');
   std::memcpy(head.data(), image.data(), head.size());
-  CHECK(head.starts_with("riprap checkpoint\nschema 3\nbytes 700\ndigest "));
+  CHECK(head.starts_with("riprap checkpoint\nschema 4\nbytes 700\ndigest "));
   CHECK(head.ends_with(" \n"));
 }
 
@@ -63,7 +63,7 @@ TEST_CASE("What is no checkpoint, and one of a newer riprap, is refused by name"
   CHECK(message(image) == "FILE is damaged: 701 of 700 bytes");
 
   image = sealed();
-  image[std::strlen("riprap checkpoint\nschema ")] = std::byte{'4'};
-  CHECK(message(image) == "FILE is a checkpoint of another version of riprap: schema 4, and this "
-                          "one reads 3");
+  image[std::strlen("riprap checkpoint\nschema ")] = std::byte{'5'};
+  CHECK(message(image) == "FILE is a checkpoint of another version of riprap: schema 5, and this "
+                          "one reads 4");
 }

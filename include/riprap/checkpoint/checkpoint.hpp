@@ -94,6 +94,17 @@ void require_same_model(FieldNode& top, const std::string& path, const Sim& sim,
                          " in the file and " + types[k] + " in the program");
 }
 
+/// Writes all fields but those that parts compute. Throws InvalidInput if they are others.
+template <class Sim, class... Parts>
+void read_checkpoint_fields(FieldNode& top, Sim& sim, NumberedParts<Parts...>& parts) {
+  read_fields(top.child("simulation"), sim);
+  restored(sim);
+  read_fields(top.child("parts"), parts);
+  for (const char* const part : {"simulation", "parts"})
+    if (const auto unread = first_unread(top.child(part)))
+      throw InvalidInput(*unread + ": no such field in the program");
+}
+
 // A part that appends to a file names it by `appended_file()`, empty for none: what the part counts
 // as written has to outlast a loss of power as the checkpoint does.
 template <class Part>
@@ -121,17 +132,21 @@ void write_checkpoint(const std::string& path, const Sim& sim, const Parts&... p
 /// Reads the state into a simulation of the same model and rock, of any assembly, and into its
 /// experiment and observers. Acceleration and number of threads may be others.
 /// Throws DamagedCheckpoint for a file that is truncated, damaged or no checkpoint, InvalidInput
-/// for one of another schema, model or other parts; nothing has been changed then.
+/// for one of another schema, model, other parts or other fields; nothing has been changed then.
 template <class Sim, class... Parts>
 void read_checkpoint(const std::string& path, Sim& sim, Parts&... parts) {
   const std::vector<std::byte> image = read_whole_file(path);
   check_sealed_image(image, path);
   FieldNode top = from_hdf5_image(image, "checkpoint");
   internal::require_same_model(top, path, sim, parts...);
-  read_fields(top.child("simulation"), sim);
-  restored(sim);
   internal::NumberedParts<Parts...> numbered{{parts...}};
-  read_fields(top.child("parts"), numbered);
+  FieldNode before = internal::checkpoint_fields(sim, parts...);
+  try {
+    internal::read_checkpoint_fields(top, sim, numbered);
+  } catch (const InvalidInput& error) {
+    internal::read_checkpoint_fields(before, sim, numbered);
+    throw InvalidInput(path + ": " + error.what());
+  }
   restored(numbered);
 }
 

@@ -55,6 +55,9 @@ struct FieldNode {
   [[nodiscard]] const std::byte* next_row(NumberType type_of_row, std::size_t columns_of_row);
 };
 
+/// Path of the first field of which a row has not been read; nothing if there is none.
+[[nodiscard]] std::optional<std::string> first_unread(const FieldNode& node);
+
 /// 64 bits that differ, with all probability, if a name, a shape or a number does.
 [[nodiscard]] std::uint64_t digest(const FieldNode& node);
 

@@ -54,6 +54,14 @@ RIPRAP_INLINE const std::byte* FieldNode::next_row(NumberType type_of_row,
   return bytes.data() + row_size() * rows_read++;
 }
 
+// As deep as types are nested. NOLINTNEXTLINE(misc-no-recursion)
+RIPRAP_INLINE std::optional<std::string> first_unread(const FieldNode& node) {
+  if (node.rows_read != node.rows) return node.path;
+  for (const FieldNode& child : node.children)
+    if (auto path = first_unread(child)) return path;
+  return std::nullopt;
+}
+
 RIPRAP_INLINE std::uint64_t digest(std::span<const std::byte> bytes) {
   std::uint64_t hash = bytes.size();
   while (!bytes.empty()) {

@@ -87,6 +87,7 @@ struct FieldReader {
     } else {
       if (node.kind != FieldNode::Kind::text) throw InvalidInput(node.path + ": must be a text");
       text = node.text();
+      node.rows_read = node.rows;
     }
   }
 

@@ -22,9 +22,9 @@ inline constexpr std::size_t hdf5_user_block = 512;
 
 /// A file, with zeros in the user block, in which a group is a group, an array a dataset of (rows)
 /// or (rows, columns) with a Fletcher32 checksum on its chunks, and a text a string. Attributes are
-/// `rows` of what is a sequence, and `type` of a group where the name of its class is known. The
-/// same fields give the same bytes. In memory, so that HDF5 never meets a full disk. Throws
-/// SimulationError if HDF5 fails.
+/// `rows` of what is a sequence, and `type` of a group where the name of its class is known; of the
+/// top group `schema`, `riprap` and `hdf5`, which wrote it. The same fields give the same bytes. In
+/// memory, so that HDF5 never meets a full disk. Throws SimulationError if HDF5 fails.
 [[nodiscard]] inline std::vector<std::byte> to_hdf5_image(const FieldNode& top) {
   using namespace internal;
   const Hdf5Quiet quiet;
@@ -38,6 +38,7 @@ inline constexpr std::size_t hdf5_user_block = 512;
                     "make a file in memory");
   {
     const Hdf5Id root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "open the top group");
+    Hdf5Writer::write_versions(root);
     Hdf5Writer::write_attributes(root, top);
     Hdf5Writer::write_children(root, top);
   }

@@ -13,6 +13,8 @@
 
 #include <riprap/checkpoint/field_node.hpp>
 #include <riprap/checkpoint/hdf5_handle.hpp>
+#include <riprap/checkpoint/sealed_image.hpp>
+#include <riprap/core/version.hpp>
 
 namespace riprap::internal {
 
@@ -24,16 +26,21 @@ class Hdf5Writer {
     for (const FieldNode& child : node.children) write(group, child);
   }
 
+  /// What wrote the file: schema of its layout, versions of riprap and of HDF5.
+  static void write_versions(hid_t top) {
+    write_number_attribute(top, "schema", checkpoint_schema);
+    write_text_attribute(top, "riprap", std::string(version));
+    unsigned number[3] = {};
+    hdf5_require(H5get_libversion(number, number + 1, number + 2) >= 0, "say its version");
+    write_text_attribute(top, "hdf5",
+                         std::to_string(number[0]) + '.' + std::to_string(number[1]) + '.' +
+                             std::to_string(number[2]));
+  }
+
   /// Of a group or an array.
   static void write_attributes(hid_t object, const FieldNode& node) {
     if (!node.type.empty()) write_text_attribute(object, "type", node.type);
-    if (!node.is_sequence) return;
-    const std::uint64_t rows = node.rows;
-    const Hdf5Id space(H5Screate(H5S_SCALAR), H5Sclose, "make a dataspace");
-    const Hdf5Id attribute(
-        H5Acreate2(object, "rows", H5T_STD_U64LE, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-        "write the rows of " + node.path);
-    hdf5_require(H5Awrite(attribute, H5T_NATIVE_UINT64, &rows) >= 0, "write " + node.path);
+    if (node.is_sequence) write_number_attribute(object, "rows", node.rows);
   }
 
  private:
@@ -94,6 +101,12 @@ class Hdf5Writer {
     H5Tset_size(type, std::max<std::size_t>(size, 1));
     H5Tset_strpad(type, H5T_STR_NULLPAD);
     return type;
+  }
+  static void write_number_attribute(hid_t object, const char* name, std::uint64_t number) {
+    const Hdf5Id space(H5Screate(H5S_SCALAR), H5Sclose, "make a dataspace");
+    const Hdf5Id attribute(H5Acreate2(object, name, H5T_STD_U64LE, space, H5P_DEFAULT, H5P_DEFAULT),
+                           H5Aclose, std::string("write the attribute ") + name);
+    hdf5_require(H5Awrite(attribute, H5T_NATIVE_UINT64, &number) >= 0, "write an attribute");
   }
   static void write_text_attribute(hid_t object, const char* name, const std::string& text) {
     const Hdf5Id type(text_type(text.size()), H5Tclose, "make a type");

@@ -13,7 +13,7 @@
 namespace riprap {
 
 /// Version of the layout of checkpoints. Higher ones are refused by name.
-inline constexpr unsigned checkpoint_schema = 3;
+inline constexpr unsigned checkpoint_schema = 4;
 
 /// Thrown for a file that is no whole checkpoint: truncated, damaged or something else.
 struct DamagedCheckpoint : InvalidInput {
