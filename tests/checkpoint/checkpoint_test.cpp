@@ -22,6 +22,8 @@
 #include <riprap/dynamics/boundary/rigid_platens.hpp>
 #include <riprap/dynamics/integrator/integrator_choice.hpp>
 #include <riprap/dynamics/integrator/velocity_verlet.hpp>
+#include <riprap/experiment/biaxial_test.hpp>
+#include <riprap/experiment/loading_path.hpp>
 #include <riprap/measurement/energy_ledger.hpp>
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/particle/random_box_assembly.hpp>
@@ -178,9 +180,14 @@ TEST_CASE("Acceleration may be another one after the restart") {
   sim.boundary().set_rate(10, 30);
   for (int k = 0; k < 3000; ++k) sim.step();
   const test::TemporaryFile file;
-  write_checkpoint(file.path(), sim);
+  const BiaxialTest test{.confining_pressure = 14e6};
+  auto run = test.start(sim);
+  write_checkpoint(file.path(), sim, run, Compression<std::remove_const_t<decltype(model)>>{3});
   auto other = simulation_of(plain, 2);
-  read_checkpoint(file.path(), other);
+  auto other_run = test.start(other);
+  Compression<decltype(model.without_acceleration())> experiment;
+  read_checkpoint(file.path(), other, other_run, experiment);
+  CHECK(experiment.rate == 3);
   for (int k = 0; k < 500; ++k) {
     sim.step();
     other.step();
@@ -366,6 +373,52 @@ TEST_CASE("The file says which schema and versions wrote it, and its arrays have
   std::size_t values = 0;
   CHECK(H5Pget_filter2(properties, 0, &flags, &values, nullptr, 0, nullptr, nullptr) ==
         H5Z_FILTER_FLETCHER32);
+}
+
+TEST_CASE("A checkpoint of another path is refused, one of a path that ends elsewhere is not") {
+  auto sim = simulation_of(weak_model(), 1);
+  const test::TemporaryFile file;
+  const LoadingStage<> hold{.name = "hold",
+                            .axis_1 = ControlledStress{.stress = 1e6},
+                            .end = AnyOf<SingleEndOr<>>{{.parts = {StepsMade{.steps = 5}}}}};
+  const LoadingStage<> press{.name = "press",
+                             .axis_2 = EngineeringRate{.rate_of_strain = {.per_second = 1}},
+                             .end = StrainReached{.strain = 0.1}};
+  const LoadingPath<> path{.confining_pressure = 2e6, .stages = {hold, press}};
+  {
+    auto run = path.start(sim);
+    for (int k = 0; k < 10; ++k) REQUIRE(run.advance());
+    write_checkpoint(file.path(), sim, run);
+  }
+  const auto message = [&](auto&& change) {
+    LoadingPath<> other = path;
+    change(other);
+    auto run = other.start(sim);
+    const std::string text = test::message_of([&] { read_checkpoint(file.path(), sim, run); });
+    const std::size_t end = text.rfind('/');
+    return end == text.npos ? text : text.substr(end + 1);
+  };
+  const auto changed = [&](std::size_t k, auto&& change) {
+    return message([&](LoadingPath<>& p) { change(p.stages[k]); });
+  };
+  CHECK(message([](LoadingPath<>&) {}).empty());
+  CHECK(message([](LoadingPath<>& p) { p.confining_pressure = 3e6; }) ==
+        "confining_pressure is 2e+06 in the file and 3e+06 in the program");
+  CHECK(changed(0, [](auto& s) { s.axis_1 = ControlledStress{.stress = 2e6}; }) ==
+        "stage_0_axis_1_stress is 1e+06 in the file and 2e+06 in the program");
+  CHECK(changed(1, [](auto& s) { s.axis_1 = ConstantVolume{}; }) ==
+        "stage_1_axis_1 is 'fixed' in the file and 'constant volume' in the program");
+  CHECK(changed(0, [](auto& s) {
+          s.end = AnyOf<SingleEndOr<>>{{.parts = {StepsMade{.steps = 6}}}};
+        }) == "stage_0_end_0_steps is 5 in the file and 6 in the program");
+  CHECK(changed(0, [](auto& s) { s.friction = false; }) ==
+        "stage_0_friction is 1 in the file and 0 in the program");
+  CHECK(changed(1, [](auto& s) { s.record_every = 0.1; }) ==
+        "stage_1_record_every is 0.0025 in the file and 0.1 in the program");
+  CHECK(changed(1, [](auto& s) { s.end = StressReached{.stress = 1e6}; }) ==
+        "stage_1_end is 'strain' in the file and 'stress' in the program");
+  CHECK(changed(1, [](auto& s) { s.end = StrainReached{.strain = 0.2}; }).empty());
+  CHECK(changed(1, [](auto& s) { s.most_steps = 1000; }).empty());
 }
 
 TEST_CASE("The file that a part appends to is brought to the disk first") {

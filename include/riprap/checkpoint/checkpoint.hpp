@@ -7,7 +7,10 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <riprap/checkpoint/durable_file.hpp>
@@ -36,6 +39,35 @@ struct GivenModel {
   }
 };
 
+/// The parameters that an experiment names by `for_each_parameter`.
+template <class Part>
+struct GivenPart {
+  const Part& part;
+  static constexpr bool names_all_members = false;
+
+  static void for_each_field(auto& self, auto&& visit) {
+    Part::for_each_parameter(self.part, visit);
+  }
+};
+
+template <class Part>
+inline constexpr bool has_parameters =
+    requires(const Part& part, const AnyField visit) { Part::for_each_parameter(part, visit); };
+
+/// The name of a part's class; the simulation and its model, which may have another acceleration,
+/// are not in it.
+template <class Part, class Sim>
+[[nodiscard]] std::string part_type() {
+  std::string name(type_name<Part>());
+  const auto replace = [&](std::string_view long_name, std::string_view short_name) {
+    for (std::size_t at = 0; (at = name.find(long_name, at)) != name.npos; at += short_name.size())
+      name.replace(at, long_name.size(), short_name);
+  };
+  replace(type_name<Sim>(), "Simulation");
+  replace(type_name<std::remove_cvref_t<decltype(std::declval<Sim>().model())>>(), "Model");
+  return name;
+}
+
 /// Objects by their number, with the names of their classes.
 template <class... Parts>
 struct NumberedParts {
@@ -61,6 +93,22 @@ template <class Sim>
   return model;
 }
 
+/// The parameters of those parts that name them.
+template <class... Parts>
+[[nodiscard]] FieldNode parameter_fields(const Parts&... parts) {
+  FieldNode top;
+  top.path = "checkpoint/parameters";
+  top.rows = 1;
+  std::size_t k = 0;
+  [[maybe_unused]] const auto append = [&]<class Part>(const Part& part) {
+    const std::string name = std::to_string(k++);
+    if constexpr (has_parameters<Part>)
+      FieldWriter{}.append(top.child_at(top.children.size(), name), GivenPart<Part>{part});
+  };
+  (append(parts), ...);
+  return top;
+}
+
 /// All fields of a checkpoint.
 /// @tparam Parts the experiment, if there is one, and its observers
 template <class Sim, class... Parts>
@@ -72,17 +120,19 @@ template <class Sim, class... Parts>
   top.child_at(0, "model") = model_fields(sim);
   writer.append(top.child_at(1, "simulation"), sim);
   writer.append(top.child_at(2, "parts"), NumberedParts<const Parts...>{{parts...}});
+  top.child_at(3, "parameters") = parameter_fields(parts...);
   std::size_t k = 0;
-  ((top.children[2].children[k++].type = type_name<Parts>()), ...);
+  ((top.children[2].children[k++].type = part_type<Parts, Sim>()), ...);
   return top;
 }
 
 template <class Sim, class... Parts>
-void require_same_model(FieldNode& top, const std::string& path, const Sim& sim, const Parts&...) {
+void require_same_model(FieldNode& top, const std::string& path, const Sim& sim,
+                        const Parts&... given) {
   if (const auto what = difference(top.child("model"), model_fields(sim)))
     throw InvalidInput(path + " is of another model: " + *what);
   const std::vector<FieldNode>& parts = top.child("parts").children;
-  const std::vector<std::string> types{std::string(type_name<Parts>())...};
+  const std::vector<std::string> types{part_type<Parts, Sim>()...};
   if (parts.size() != types.size())
     throw InvalidInput(path + " holds " + std::to_string(parts.size()) +
                        " experiments and observers, the program has " +
@@ -92,6 +142,8 @@ void require_same_model(FieldNode& top, const std::string& path, const Sim& sim,
       throw InvalidInput(path + ": number " + std::to_string(k) +
                          " of the experiment and its observers is " + parts[k].type +
                          " in the file and " + types[k] + " in the program");
+  if (const auto what = difference(top.child("parameters"), parameter_fields(given...)))
+    throw InvalidInput(path + " is of another experiment: " + *what);
 }
 
 /// Writes all fields but those that parts compute. Throws InvalidInput if they are others.
@@ -132,7 +184,8 @@ void write_checkpoint(const std::string& path, const Sim& sim, const Parts&... p
 /// Reads the state into a simulation of the same model and rock, of any assembly, and into its
 /// experiment and observers. Acceleration and number of threads may be others.
 /// Throws DamagedCheckpoint for a file that is truncated, damaged or no checkpoint, InvalidInput
-/// for one of another schema, model, other parts or other fields; nothing has been changed then.
+/// for one of another schema, model, experiment, other parts or other fields; nothing has been
+/// changed then.
 template <class Sim, class... Parts>
 void read_checkpoint(const std::string& path, Sim& sim, Parts&... parts) {
   const std::vector<std::byte> image = read_whole_file(path);

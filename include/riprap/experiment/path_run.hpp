@@ -17,6 +17,7 @@
 #include <riprap/contact/contact_law/frictionless.hpp>
 #include <riprap/core/errors.hpp>
 #include <riprap/experiment/loading_stage.hpp>
+#include <riprap/experiment/path_parameters.hpp>
 #include <riprap/experiment/path_result.hpp>
 #include <riprap/experiment/sample_check.hpp>
 #include <riprap/experiment/stage.hpp>
@@ -81,6 +82,11 @@ class PathRun {
   [[nodiscard]] const PathResult& result() const { return result_; }
   [[nodiscard]] const View& view() const { return view_; }
 
+  /// What must be the same where the path goes on: all but how far its last stage goes.
+  static void for_each_parameter(auto& self, auto&& visit) {
+    visit("confining_pressure", self.view_.confining_pressure);
+    internal::name_path_parameters(self.stages_, visit);
+  }
   /// `stage` comes first: it decides which controls the fields after it are of.
   static void for_each_field(auto& self, auto&& visit) {
     visit("stage", self.index_);
@@ -170,7 +176,8 @@ class PathRun {
 
   void make_step() {
     set_rate(internal::wanted_rates(stage(), view_));
-    if (stage().affine_start && view_.stage_steps == 0) set_affine_velocities();
+    if (stage().affine_start && view_.stage_steps == 0)
+      internal::set_affine_velocities(sim_, view_.rate, centre_of(region()));
     step();
     internal::account(stage(), view_, result_.stages[index_]);
     if (view_.at_check) {
@@ -190,14 +197,6 @@ class PathRun {
                             std::to_string(stage().most_steps) + " steps: mean stress " +
                             to_text(view_.stress().mean()) + " Pa");
     if (last) close_stage(reached);
-  }
-
-  // So that the sample moves as a whole from the first step on.
-  void set_affine_velocities() {
-    const Vec2 centre = centre_of(region());
-    for (BodyIndex i = 0; i < sim_.particles().size(); ++i)
-      if (const Body& body = sim_.particles().body(i); body.is_free())
-        sim_.set_velocity(i, -componentwise_product(view_.rate, body.position - centre));
   }
 
   void step() {

@@ -10,9 +10,11 @@
 #include <variant>
 
 #include <riprap/core/errors.hpp>
+#include <riprap/core/ids.hpp>
 #include <riprap/core/vec2.hpp>
 #include <riprap/experiment/loading_concepts.hpp>
 #include <riprap/experiment/path_result.hpp>
+#include <riprap/particle/body.hpp>
 
 namespace riprap::internal {
 
@@ -73,6 +75,14 @@ template <class View>
   }
   const double first = rate_of(stage.axis_1, view, 1, 0);
   return {first, rate_of(stage.axis_2, view, 2, first)};
+}
+
+/// The sample moves as a whole from the first step on.
+template <class Sim>
+void set_affine_velocities(Sim& sim, const Vec2& rate, const Vec2& centre) {
+  for (BodyIndex i = 0; i < sim.particles().size(); ++i)
+    if (const Body& body = sim.particles().body(i); body.is_free())
+      sim.set_velocity(i, -componentwise_product(rate, body.position - centre));
 }
 
 /// What the servos say of the stage so far; of two, what is worse.
