@@ -4,7 +4,7 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <system_error>
+#include <span>
 
 #include <riprap/checkpoint/checkpoint_folder.hpp>
 
@@ -15,12 +15,10 @@ inline std::filesystem::path checkpoint_folder(const std::filesystem::path& fold
   return folder / "checkpoints";
 }
 
-inline void remove_checkpoints(const std::filesystem::path& folder) {
-  const std::filesystem::path of = checkpoint_folder(folder);
-  std::error_code ignored;
-  for (const auto& file : riprap::CheckpointFolder(of).files())
-    std::filesystem::remove(file, ignored);
-  std::filesystem::remove(of, ignored);  // fails, as it should, where something else is in it
+// What a run goes on with has to outlast a loss of power as its checkpoints do.
+inline void write_parameters(const Options& o) {
+  const std::filesystem::path file = std::filesystem::path(o.out) / "parameters.toml";
+  riprap::write_durable_file(file.string(), std::as_bytes(std::span(o.toml)));
 }
 
 // Goes on from the newest checkpoint of the folder. Throws InvalidInput if it has gone past the

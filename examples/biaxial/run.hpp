@@ -178,7 +178,7 @@ Outcome run(const Options& o, ModelType model, Observers&... observers) {
   const bool resumes =
       !o.resume.empty() && !CheckpointFolder(checkpoint_folder(folder)).files().empty();
   if (!resumes) remove_results(folder);
-  if (!resumes) write_file(folder / "parameters.toml", o.toml);
+  if (!resumes) write_parameters(o);
   Curve curve;
   CurveFiles tables{curve, folder, resumes ? OldFile::keep : OldFile::replace};
   OptionalSeries series{o.paraview, ParaViewSeries{paraview_folder(folder)}};
@@ -188,7 +188,7 @@ Outcome run(const Options& o, ModelType model, Observers&... observers) {
   auto test = o.test.start(sim, curve, tables, series, frames, pictures, progress, observers...);
   if (resumes) {
     resume(o, test, sim, curve, tables, series, frames, pictures, progress, observers...);
-    write_file(folder / "parameters.toml", o.toml);
+    write_parameters(o);
   }
   try {
     run_with_checkpoints(o, test, sim, curve, tables, series, frames, pictures, progress,
@@ -206,6 +206,6 @@ Outcome run(const Options& o, ModelType model, Observers&... observers) {
   save_charts(curve, folder);
   print_summary(o, sim, result, curve);
   print_checks(progress.check().table());
-  if (!result.interrupted) remove_checkpoints(folder);
+  if (!result.interrupted) CheckpointFolder(checkpoint_folder(folder)).clear();
   return result.interrupted ? Outcome::interrupted : Outcome::finished;
 }

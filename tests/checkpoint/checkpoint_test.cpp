@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <riprap/breakage/criterion/criterion_of_rock.hpp>
-#include <riprap/checkpoint/checkpoint.hpp>
+#include <riprap/checkpoint/checkpoint_folder.hpp>
 #include <riprap/contact/contact_law/contact_law_choice.hpp>
 #include <riprap/contact/contact_law/incremental_spring.hpp>
 #include <riprap/contact/contact_law/linear_spring_coulomb.hpp>
@@ -171,6 +173,29 @@ TEST_CASE("A restarted run gives the same bytes, with each boundary") {
     check_restarts(model.boundary(RigidPlatens{}));
     check_restarts(model.boundary(PeriodicCell{}));
   }
+}
+
+TEST_CASE("A restarted run gives the same bytes, with bodies of several tasks") {
+  const auto model = weak_model().boundary(PeriodicCell{});
+  const Assembly sample = random_periodic_assembly({.count = 600, .seed = 1});
+  const auto simulation = [&] { return Simulation{model, sample, Rock{}}; };
+  using Experiment = Compression<std::remove_const_t<decltype(model)>>;
+  auto sim = simulation();
+  Experiment experiment;
+  experiment.ledger.open(sim);
+  while (sim.breaks().size() < 2) experiment.step(sim);
+  REQUIRE(task_count(sim.particles().size()) >= 3);
+  const test::TemporaryFile file;
+  write_checkpoint(file.path(), sim, experiment);
+  auto other = simulation();
+  Experiment goes_on;
+  read_checkpoint(file.path(), other, goes_on);
+  while (sim.breaks().size() < 5) {
+    experiment.step(sim);
+    goes_on.step(other);
+  }
+  CHECK(sim.contacts().friction_loss() > 0);
+  CHECK(state_of(other, goes_on) == state_of(sim, experiment));
 }
 
 TEST_CASE("Acceleration may be another one after the restart") {
@@ -419,6 +444,48 @@ TEST_CASE("A checkpoint of another path is refused, one of a path that ends else
         "stage_1_end is 'strain' in the file and 'stress' in the program");
   CHECK(changed(1, [](auto& s) { s.end = StrainReached{.strain = 0.2}; }).empty());
   CHECK(changed(1, [](auto& s) { s.most_steps = 1000; }).empty());
+}
+
+TEST_CASE("A folder keeps the last two checkpoints, and the newest that is whole is read") {
+  auto sim = simulation_of(weak_model(), 1);
+  const test::TemporaryFile place;
+  const std::filesystem::path folder = std::filesystem::path(place.path()) / "of" / "checkpoints";
+  const CheckpointFolder checkpoints{folder};
+  std::vector<std::string> damaged;
+  const auto read = [&] {
+    return checkpoints.read_newest([&](const char* m) { damaged.emplace_back(m); }, sim).filename();
+  };
+  CHECK(test::message_of(read) == folder.string() + " has no checkpoint that can be read");
+  const auto touch = [&](const char* name) { std::ofstream(folder / name) << "x"; };
+  for (int k = 0; k < 12; ++k) {
+    sim.step();
+    checkpoints.write(sim);
+    if (k == 3) touch("checkpoint_000000000002.h5.part");  // as a kill leaves it
+  }
+  touch("notes.txt");
+  const auto left = std::distance(std::filesystem::directory_iterator(folder), {});
+  CHECK(left == 3);
+  REQUIRE(checkpoints.files().size() == 2);
+  CHECK(checkpoints.files()[0].filename() == "checkpoint_000000000012.h5");
+  CHECK(checkpoints.files()[1].filename() == "checkpoint_000000000011.h5");
+
+  CHECK(read() == "checkpoint_000000000012.h5");
+  CHECK(sim.steps() == 12);
+  CHECK(damaged.empty());
+  std::filesystem::resize_file(checkpoints.files()[0], 1000);
+  CHECK(read() == "checkpoint_000000000011.h5");
+  CHECK(sim.steps() == 11);
+  REQUIRE(damaged.size() == 1);
+  CHECK(test::contains(damaged[0], "checkpoint_000000000012.h5 is truncated: 1000 of "));
+
+  touch("checkpoint_000000000013.h5.part");
+  checkpoints.clear();
+  CHECK(std::filesystem::exists(folder / "notes.txt"));
+  CHECK(std::distance(std::filesystem::directory_iterator(folder), {}) == 1);
+  std::filesystem::remove(folder / "notes.txt");
+  checkpoints.clear();
+  CHECK_FALSE(std::filesystem::exists(folder));
+  std::filesystem::remove_all(place.path());
 }
 
 TEST_CASE("The file that a part appends to is brought to the disk first") {
