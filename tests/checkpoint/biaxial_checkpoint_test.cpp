@@ -46,15 +46,19 @@ struct Run {
   auto with_observers(Call&& call) {
     return call(curve, files, series, frames, progress, paths, displacement, timer);
   }
-  /// Steps until `stop`, or to the end.
-  void run(const CheckpointFolder& checkpoints, bool resumes, std::uint64_t stop) {
+  /// Steps until `stop`, or to the end. Returns the steps of each stage.
+  std::vector<std::uint64_t> run(const CheckpointFolder& checkpoints, bool resumes,
+                                 std::uint64_t stop, const BiaxialTest& loading = short_test) {
+    std::vector<std::uint64_t> steps;
     with_observers([&](auto&... observers) {
-      auto test = short_test.start(sim, observers...);
+      auto test = loading.start(sim, observers...);
       if (resumes) checkpoints.read_newest([](const char*) {}, sim, test, observers...);
       while (test.advance() && sim.steps() != stop) {
       }
       if (sim.steps() == stop) checkpoints.write(sim, test, observers...);
+      for (const StageResult& stage : test.result().stages) steps.push_back(stage.steps);
     });
+    return steps;
   }
 
   std::filesystem::path folder;
@@ -90,7 +94,7 @@ TEST_CASE("A biaxial test that stops and goes on leaves the same files, in each 
   const std::filesystem::path top = place.path();
   const CheckpointFolder checkpoints{top / "checkpoints"};
   Run whole{top / "whole"};
-  whole.run(checkpoints, false, 0);
+  const std::vector<std::uint64_t> stages = whole.run(checkpoints, false, 0);
   const auto wanted = contents(top / "whole");
   REQUIRE(wanted.size() > 20);
   REQUIRE(whole.curve.breaks().size() >= 2);
@@ -98,18 +102,24 @@ TEST_CASE("A biaxial test that stops and goes on leaves the same files, in each 
   std::vector<std::uint64_t> stops{1, whole.sim.steps() - 1};
   for (const BiaxialBreak& b : {whole.curve.breaks().front(), whole.curve.breaks().back()})
     for (const std::uint64_t step : {b.event.step - 1, b.event.step}) stops.push_back(step);
-  for (int part = 1; part < 8; ++part)
-    stops.push_back(static_cast<std::uint64_t>(part) * whole.sim.steps() / 8);
+  std::uint64_t begun = 0;
+  for (const std::uint64_t steps : stages) {
+    REQUIRE(steps > 10);
+    for (const std::uint64_t step : {steps / 3, steps}) stops.push_back(begun + step);
+    begun += steps;
+  }
+  REQUIRE(begun == whole.sim.steps());
+  stops.pop_back();  // the end
   for (const std::uint64_t stop : stops) {
     CAPTURE(stop);
     std::filesystem::remove_all(top / "parts");
     std::filesystem::remove_all(top / "checkpoints");
     {
       Run first{top / "parts"};
-      first.run(checkpoints, false, stop);
+      (void)first.run(checkpoints, false, stop);
     }
     Run second{top / "parts", OldFile::keep};
-    second.run(checkpoints, true, 0);
+    (void)second.run(checkpoints, true, 0);
     CHECK(second.sim.steps() == whole.sim.steps());
     CHECK(contents(top / "parts") == wanted);
     CHECK(digest(fields_of(second.sim, "sim")) == digest(fields_of(whole.sim, "sim")));
@@ -119,5 +129,24 @@ TEST_CASE("A biaxial test that stops and goes on leaves the same files, in each 
     CHECK(digest(fields_of(second.progress, "checks")) ==
           digest(fields_of(whole.progress, "checks")));
   }
+  std::filesystem::remove_all(top);
+}
+
+TEST_CASE("A test that goes on farther than it was to is one that was to go so far") {
+  const test::TemporaryFile place;
+  const std::filesystem::path top = place.path();
+  const CheckpointFolder checkpoints{top / "checkpoints"};
+  BiaxialTest farther = short_test;
+  farther.axial_strain = 0.015;
+  Run whole{top / "whole"};
+  (void)whole.run(checkpoints, false, 0, farther);
+  {
+    Run first{top / "parts"};
+    (void)first.run(checkpoints, false, 4 * whole.sim.steps() / 5);
+  }
+  Run second{top / "parts", OldFile::keep};
+  (void)second.run(checkpoints, true, 0, farther);
+  CHECK(contents(top / "parts") == contents(top / "whole"));
+  CHECK(digest(fields_of(second.sim, "sim")) == digest(fields_of(whole.sim, "sim")));
   std::filesystem::remove_all(top);
 }
