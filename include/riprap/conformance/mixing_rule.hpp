@@ -3,13 +3,17 @@
 /// @file
 /// The axioms of the mixing rule.
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <riprap/conformance/collision.hpp>
 #include <riprap/conformance/contact_law.hpp>
 #include <riprap/conformance/violations.hpp>
 #include <riprap/contact/mixing_rule/concepts.hpp>
+#include <riprap/core/errors.hpp>
+#include <riprap/core/policy.hpp>
 
 namespace riprap {
 namespace internal {
@@ -33,21 +37,36 @@ void check_same_forces(std::string_view axiom, const Law& one, const Law& other,
   });
 }
 
+/// A sentence for the first law whose parameters break a rule: axioms are those of valid laws.
+template <ContactLaw Law>
+[[nodiscard]] Violations invalid_laws(std::initializer_list<Law> laws) {
+  try {
+    for (const Law& law : laws) validate(law);
+    return {};
+  } catch (const InvalidInput& error) {
+    return {std::string("the law of each pair is valid: ") + error.what()};
+  }
+}
+
 }  // namespace internal
 
-/// Which axioms a mixing rule breaks for the contact laws of two materials: swapped laws give the
-/// same law, and the law of each pair obeys the axioms of contact laws.
+/// Which axioms a mixing rule breaks for the contact laws of two materials: the law of each pair is
+/// valid, swapped laws give the same law, and the law of each pair obeys the axioms of contact
+/// laws.
 template <ContactLaw Law, class Rule>
   requires MixingRule<Rule, Law>
 [[nodiscard]] Violations mixing_rule_violations(const Rule& rule, const Law& a, const Law& b,
                                                 const ContactRange& range = {}) {
-  AxiomCheck check;
   const MaterialPair pair{0, 1};
   const Law mixed = rule(a, b, pair);
   const Law swapped = rule(b, a, pair);
+  const Law of_pairs[] = {rule(a, a, MaterialPair{0, 0}), mixed, rule(b, b, MaterialPair{1, 1})};
+  if (auto invalid = internal::invalid_laws({of_pairs[0], mixed, swapped, of_pairs[2]});
+      !invalid.empty())
+    return invalid;
+  AxiomCheck check;
   internal::check_same_forces("swapped laws give the same law", mixed, swapped, range, 1e-9, check);
   Violations violations = std::move(check).violations();
-  const Law of_pairs[] = {rule(a, a, MaterialPair{0, 0}), mixed, rule(b, b, MaterialPair{1, 1})};
   for (const Law& law : of_pairs)
     for (auto& violation : contact_law_violations(law, range))
       violations.push_back(std::move(violation));
@@ -59,9 +78,10 @@ template <ContactLaw Law, class Rule>
   requires MixingRule<Rule, Law>
 [[nodiscard]] Violations mixing_rule_identity_violations(const Rule& rule, const Law& law,
                                                          const ContactRange& range = {}) {
+  const Law mixed = rule(law, law, MaterialPair{});
+  if (auto invalid = internal::invalid_laws({mixed}); !invalid.empty()) return invalid;
   AxiomCheck check;
-  internal::check_same_forces("two equal laws give that law", law,
-                              Law{rule(law, law, MaterialPair{})}, range, 0, check);
+  internal::check_same_forces("two equal laws give that law", law, mixed, range, 0, check);
   return std::move(check).violations();
 }
 
