@@ -11,13 +11,16 @@
 namespace paths {
 
 struct Options {
-  std::string test;  // of a TestCase, or "all"; empty: they are to be listed
+  std::string test;  // of a TestCase, "all", or a file of a path; empty: they are to be listed
   unsigned particles = 300;
   unsigned samples = 3;    // of the seeds seed, seed + 1, ...
   std::uint64_t seed = 1;  // of the first sample
-  bool quick = false;      // shorter paths
+  bool quick = false;      // shorter ready-made paths
   std::string out = "paths";
   command_line::OptionNames names{};
+
+  // Is the path that of a file?
+  [[nodiscard]] bool reads_file() const { return test.ends_with(".toml"); }
 };
 
 // Exits for --help, --version and a command that is wrong.

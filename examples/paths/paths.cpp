@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// paths: tests along the ready-made loading paths, isotropic to undrained, with curves and pictures
+// paths: tests along ready-made loading paths, or along that of a file, with curves and pictures
 
 #include <algorithm>
 #include <cstdio>
@@ -102,13 +102,21 @@ int run_chosen(const Options& o) {
   if (o.test.empty()) {
     for (const TestCase& test : test_cases) std::printf("  %-12s %s\n", test.name, test.what);
     std::printf("  %-12s all of them, one after the other\n", "all");
+    std::printf("  %-12s the path of a file (docs/paths.md)\n", "FILE.toml");
     return command_line::finished;
   }
   // Before a folder is made.
   riprap::RandomAssembly{.count = o.particles, .seed = o.seed}.validate();
   command_line::note_signals();
+  const std::string name = "file_" + fs::path(o.test).stem().string();
+  const std::string what = "the path of " + o.test;
+  std::vector<TestCase> chosen;
+  if (o.reads_file())
+    chosen.push_back({name.c_str(), what.c_str(), plan_from_file, find_from_file});
   for (const TestCase& test : test_cases)
-    if ((o.test == test.name || o.test == "all") && !run_case(test, o)) {
+    if (o.test == test.name || o.test == "all") chosen.push_back(test);
+  for (const TestCase& test : chosen)
+    if (!run_case(test, o)) {
       std::fprintf(stderr, "interrupted; the curves until then are in %s\n", o.out.c_str());
       return command_line::failed;
     }

@@ -53,6 +53,19 @@ struct Watch {
   }
 };
 
+auto simulation_of(const Sample& s) {
+  using namespace riprap;
+  return Simulation{Model{}
+                        .contact_law(EnergyConservingSpring{.normal_stiffness = s.stiffness,
+                                                            .tangential_stiffness = s.stiffness})
+                        .criterion(HoekBrown{.compressive_strength = s.strength}),
+                    random_assembly({.count = s.particles, .seed = s.seed}), Rock{}};
+}
+
+riprap::LoadingPath<> path_of(const PlannedRun& plan) {
+  return {.confining_pressure = plan.pressure, .stages = plan.stages};
+}
+
 std::string hardin_csv(const Run& run) {
   std::string text = "stage,axial_strain,hardin_b_r\n";
   for (std::size_t i = 0; i < run.points.size(); ++i)
@@ -71,15 +84,16 @@ std::string PlannedRun::name() const {
   return text;
 }
 
+void check_path(const PlannedRun& plan) {
+  auto sim = simulation_of(plan.sample);
+  static_cast<void>(path_of(plan).start(sim));
+}
+
 Run run_path(const PlannedRun& plan, const std::filesystem::path& folder,
              run_table::ProgressLine& line) {
   using namespace riprap;
   const Sample& s = plan.sample;
-  Simulation sim{Model{}
-                     .contact_law(EnergyConservingSpring{.normal_stiffness = s.stiffness,
-                                                         .tangential_stiffness = s.stiffness})
-                     .criterion(HoekBrown{.compressive_strength = s.strength}),
-                 random_assembly({.count = s.particles, .seed = s.seed}), Rock{}};
+  auto sim = simulation_of(s);
   sim.set_breakage(s.breakage);
 
   Run run{.plan = plan};
@@ -89,8 +103,7 @@ Run run_path(const PlannedRun& plan, const std::filesystem::path& folder,
   ValidityCheck check;
   line.begin(plan.name(), 1);
   Watch watch{line, plan.stages.size()};
-  const LoadingPath<> path{.confining_pressure = plan.pressure, .stages = plan.stages};
-  const PathResult result = path.run(sim, curve, tables, measures, check, watch);
+  const PathResult result = path_of(plan).run(sim, curve, tables, measures, check, watch);
 
   run.points = curve.points();
   run.breakages_before = curve.breakages_before_shear();

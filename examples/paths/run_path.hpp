@@ -50,6 +50,9 @@ struct Run {
   bool interrupted = false;
 };
 
+// Throws InvalidInput if the path cannot be run on the sample.
+void check_path(const PlannedRun& plan);
+
 // Makes the run, a unit of the work of `line`; its tables grow in `folder`, which exists.
 Run run_path(const PlannedRun& plan, const std::filesystem::path& folder,
              run_table::ProgressLine& line);
