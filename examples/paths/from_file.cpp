@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 #include <riprap/core/errors.hpp>
 #include <riprap/experiment/read_path.hpp>
@@ -55,18 +56,18 @@ void report_stage(Findings& out, const std::vector<Run>& runs, std::size_t stage
 }  // namespace
 
 std::vector<PlannedRun> plan_from_file(const Options& o) {
-  const std::filesystem::path file = o.test;
+  const std::filesystem::path file =
+      o.resume.empty() ? std::filesystem::path(o.test) : o.path_copy();
   auto path = riprap::read_path(file);
-  const std::string stem = file.stem().string();
-  PlannedRun run{.variant = stem, .pressure = path.confining_pressure};
+  PlannedRun run{.variant = o.path_name(), .pressure = path.confining_pressure};
   run.stages = std::move(path.stages);
-  run.picture = "After " + stem;
+  run.picture = "After " + run.variant;
   std::vector<PlannedRun> runs;
   add_runs(runs, o, run);
   try {
     check_path(runs.front());
   } catch (const riprap::InvalidInput& error) {
-    throw riprap::InvalidInput(o.test + ": " + error.what());
+    throw riprap::InvalidInput(file.string() + ": " + error.what());
   }
   return runs;
 }
