@@ -4,13 +4,12 @@
 #include "options.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "../command_line/config_file.hpp"
 #include "../command_line/program.hpp"
+#include "../command_line/resume.hpp"
 #include "option_groups.hpp"
 
 namespace {
@@ -84,31 +83,6 @@ void choose_line_fit(const OptionTable& table, Options& o) {
                                           : "loaded-diameter";
 }
 
-// The command that goes on with a run: its folder and its file of parameters.
-std::vector<std::string> with_resumed_options(std::vector<std::string> arguments) {
-  const auto is_option = [](const std::string& argument, const std::string& name) {
-    return argument == name || argument.starts_with(name + "=");
-  };
-  std::string folder;
-  for (std::size_t k = 0; k < arguments.size(); ++k) {
-    if (arguments[k].starts_with("--resume=")) folder = arguments[k].substr(9);
-    if (arguments[k] == "--resume" && k + 1 < arguments.size()) folder = arguments[k + 1];
-  }
-  if (folder.empty()) return arguments;
-  constexpr const char* allowed[] = {"--resume", "--strain", "--threads", "--checkpoint-every",
-                                     "--timer",  "--help",   "--version"};
-  for (const std::string& argument : arguments)
-    if (argument.starts_with("--") &&
-        std::none_of(std::begin(allowed), std::end(allowed),
-                     [&](const char* name) { return is_option(argument, name); }))
-      throw CLI::ValidationError(argument, "does not go with --resume, which takes the options of "
-                                           "the run that goes on");
-  for (const std::string& more :
-       {std::string("--config"), folder + "/parameters.toml", std::string("--out"), folder})
-    arguments.push_back(more);
-  return arguments;
-}
-
 // What goes together, and with this build.
 void check_combination(const Options& o) {
   if (o.breaks_by_loads() && !by_loads(o.line_fit))
@@ -143,7 +117,8 @@ struct Reader {
   }
 
   void parse(const std::vector<std::string>& arguments) {
-    std::vector<std::string> all = with_resumed_options(arguments);
+    const std::vector<std::string> all =
+        command_line::with_resumed_options(arguments, {"--strain", "--threads", "--timer"});
     std::vector<const char*> argv{"biaxial"};
     for (const std::string& argument : all) argv.push_back(argument.c_str());
     app.parse(static_cast<int>(argv.size()), argv.data());

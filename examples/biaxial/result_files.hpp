@@ -37,7 +37,7 @@ inline void remove_results(const std::filesystem::path& folder) {
         std::filesystem::remove(folder / file, ignored);
   riprap::ParaViewSeries::remove(paraview_folder(folder));
   riprap::FrameWriter::remove(frames_folder(folder));
-  riprap::CheckpointFolder(checkpoint_folder(folder)).clear();
+  riprap::CheckpointFolder(command_line::checkpoint_folder(folder)).clear();
 }
 
 // The axial strain at which a run has finished that left all its results in a folder.

@@ -175,10 +175,10 @@ Outcome run(const Options& o, ModelType model, Observers&... observers) {
   const std::filesystem::path folder = o.out;
   make_folder(folder);
   // One that was stopped before its first checkpoint begins anew.
-  const bool resumes =
-      !o.resume.empty() && !CheckpointFolder(checkpoint_folder(folder)).files().empty();
+  const command_line::Saving saving = saving_of(o);
+  const bool resumes = !o.resume.empty() && !saving.checkpoints().files().empty();
   if (!resumes) remove_results(folder);
-  if (!resumes) write_parameters(o);
+  if (!resumes) command_line::write_parameters(o.toml, folder);
   Curve curve;
   CurveFiles tables{curve, folder, resumes ? OldFile::keep : OldFile::replace};
   OptionalSeries series{o.paraview, ParaViewSeries{paraview_folder(folder)}};
@@ -188,11 +188,11 @@ Outcome run(const Options& o, ModelType model, Observers&... observers) {
   auto test = o.test.start(sim, curve, tables, series, frames, pictures, progress, observers...);
   if (resumes) {
     resume(o, test, sim, curve, tables, series, frames, pictures, progress, observers...);
-    write_parameters(o);
+    command_line::write_parameters(o.toml, folder);
   }
   try {
-    run_with_checkpoints(o, test, sim, curve, tables, series, frames, pictures, progress,
-                         observers...);
+    command_line::run_with_checkpoints(saving, test, sim, curve, tables, series, frames, pictures,
+                                       progress, observers...);
   } catch (const std::exception& error) {
     keep_failed_run(o, sim, curve, progress.warnings(), error.what());
     // Whatever the kind of error: the command was right, and the run failed.
@@ -206,6 +206,6 @@ Outcome run(const Options& o, ModelType model, Observers&... observers) {
   save_charts(curve, folder);
   print_summary(o, sim, result, curve);
   print_checks(progress.check().table());
-  if (!result.interrupted) CheckpointFolder(checkpoint_folder(folder)).clear();
+  if (!result.interrupted) saving.checkpoints().clear();
   return result.interrupted ? Outcome::interrupted : Outcome::finished;
 }

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSL-1.0
-// paths: tests along the ready-made loading paths, isotropic to undrained, with curves and pictures
+// paths: tests along ready-made loading paths, or along that of a file, with curves and pictures
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <span>
 
 #include <riprap/core/version.hpp>
 #include <riprap/output/chart.hpp>
 #include <riprap/output/file.hpp>
 #include <riprap/particle/random_placement.hpp>
 
+#include "../command_line/checkpoints.hpp"
 #include "../command_line/program.hpp"
-#include "../command_line/stop_signal.hpp"
 #include "test_case.hpp"
 
 namespace paths {
@@ -62,17 +65,57 @@ void empty_folder(const fs::path& folder) {
   for (const char* name : {"summary.json", "curves.svg"}) fs::remove(folder / name);
 }
 
+command_line::Saving saving_of(const PlannedRun& run, const fs::path& folder, const Options& o) {
+  return {.folder = folder / "runs" / run.name(),
+          .every = o.checkpoint_every,
+          .given = {.toml = o.toml},
+          .resumed = o.out};
+}
+
+// The tests that the options name; strings are to outlive them.
+std::vector<TestCase> chosen_tests(const Options& o, const std::string& name,
+                                   const std::string& what) {
+  std::vector<TestCase> chosen;
+  if (o.reads_file())
+    chosen.push_back({name.c_str(), what.c_str(), plan_from_file, find_from_file});
+  for (const TestCase& test : test_cases)
+    if (o.test == test.name || o.test == "all") chosen.push_back(test);
+  return chosen;
+}
+
+// Makes the folders, with what --resume needs. Throws InvalidInput before that for a test that
+// cannot be made.
+void begin(const std::vector<TestCase>& tests, const Options& o) {
+  for (const TestCase& test : tests) static_cast<void>(test.plan(o));
+  std::string path;
+  if (o.reads_file()) {
+    std::ifstream file(o.test);
+    path.assign(std::istreambuf_iterator<char>(file), {});
+  }
+  for (const TestCase& test : tests) empty_folder(fs::path(o.out) / test.name);
+  if (o.reads_file())
+    riprap::write_durable_file(o.path_copy().string(), std::as_bytes(std::span(path)));
+  command_line::write_parameters(o.toml, o.out);
+}
+
 // False: a signal ended it.
 bool run_case(const TestCase& test, const Options& o) {
-  const std::vector<PlannedRun> plan = test.plan(o);
   const fs::path folder = fs::path(o.out) / test.name;
-  empty_folder(folder);
+  const std::vector<PlannedRun> plan = test.plan(o);
+  const auto clear_checkpoints = [&] {
+    for (const PlannedRun& run : plan) saving_of(run, folder, o).checkpoints().clear();
+  };
+  if (!o.resume.empty() && fs::exists(folder / "summary.json")) {
+    clear_checkpoints();
+    std::printf("the test in %s is finished\n", folder.string().c_str());
+    return true;
+  }
   std::vector<Run> runs;
   run_table::ProgressLine progress(static_cast<double>(plan.size()));
   for (const PlannedRun& planned : plan) {
-    const fs::path run_folder = folder / "runs" / planned.name();
-    riprap::make_folder(run_folder.string());
-    runs.push_back(run_path(planned, run_folder, progress));
+    const command_line::Saving saving = saving_of(planned, folder, o);
+    riprap::make_folder(saving.folder.string());
+    runs.push_back(run_path(planned, saving, progress));
     if (runs.back().interrupted) return false;
   }
   progress.end();
@@ -89,6 +132,7 @@ bool run_case(const TestCase& test, const Options& o) {
                         {"found", findings.numbers},
                         {"runs", all}};
   riprap::write_file((folder / "summary.json").string(), summary.dump(2) + "\n");
+  clear_checkpoints();
   std::printf("%s\n", test.what);
   for (const std::string& line : findings.lines) std::printf("  %s\n", line.c_str());
   std::size_t warnings = 0;
@@ -102,13 +146,18 @@ int run_chosen(const Options& o) {
   if (o.test.empty()) {
     for (const TestCase& test : test_cases) std::printf("  %-12s %s\n", test.name, test.what);
     std::printf("  %-12s all of them, one after the other\n", "all");
+    std::printf("  %-12s the path of a file (docs/paths.md)\n", "FILE.toml");
     return command_line::finished;
   }
   // Before a folder is made.
   riprap::RandomAssembly{.count = o.particles, .seed = o.seed}.validate();
   command_line::note_signals();
-  for (const TestCase& test : test_cases)
-    if ((o.test == test.name || o.test == "all") && !run_case(test, o)) {
+  const std::string name = o.path_copy().parent_path().filename().string();
+  const std::string what = "the path of " + o.test;
+  const std::vector<TestCase> tests = chosen_tests(o, name, what);
+  if (o.resume.empty()) begin(tests, o);
+  for (const TestCase& test : tests)
+    if (!run_case(test, o)) {
       std::fprintf(stderr, "interrupted; the curves until then are in %s\n", o.out.c_str());
       return command_line::failed;
     }

@@ -12,7 +12,7 @@
 #include <riprap/particle/random_assembly.hpp>
 #include <riprap/simulation/simulation.hpp>
 
-#include "../command_line/stop_signal.hpp"
+#include "../command_line/checkpoints.hpp"
 
 namespace paths {
 
@@ -36,9 +36,17 @@ struct Measures {
     run.hardin.push_back(riprap::hardin_breakage(riprap::grading_before_breakage(particles),
                                                  riprap::grading(particles)));
   }
+
+  static constexpr bool names_all_members = false;
+  static void for_each_field(auto& self, auto&& visit) {
+    visit("area", self.run.area);
+    visit("solid_area", self.run.solid_area);
+    visit("thickness", self.run.thickness);
+    visit("hardin", self.run.hardin);
+  }
 };
 
-// An observer that says how far the run is, and ends it on a signal.
+// An observer that says how far the run is.
 struct Watch {
   run_table::ProgressLine& line;
   std::size_t stages;
@@ -47,11 +55,23 @@ struct Watch {
   void progress(const riprap::LoadingView<Sim>& view) {
     line.at((static_cast<double>(view.stage_index) + view.done) / static_cast<double>(stages));
   }
-  template <class Sim>
-  [[nodiscard]] bool stop_requested(const riprap::LoadingView<Sim>& /*view*/) const {
-    return command_line::stop_signal != 0;
-  }
+
+  static constexpr bool names_all_members = false;
+  static void for_each_field(auto& /*self*/, auto&& /*visit*/) {}
 };
+
+auto simulation_of(const Sample& s) {
+  using namespace riprap;
+  return Simulation{Model{}
+                        .contact_law(EnergyConservingSpring{.normal_stiffness = s.stiffness,
+                                                            .tangential_stiffness = s.stiffness})
+                        .criterion(HoekBrown{.compressive_strength = s.strength}),
+                    random_assembly({.count = s.particles, .seed = s.seed}), Rock{}};
+}
+
+riprap::LoadingPath<> path_of(const PlannedRun& plan) {
+  return {.confining_pressure = plan.pressure, .stages = plan.stages};
+}
 
 std::string hardin_csv(const Run& run) {
   std::string text = "stage,axial_strain,hardin_b_r\n";
@@ -71,37 +91,45 @@ std::string PlannedRun::name() const {
   return text;
 }
 
-Run run_path(const PlannedRun& plan, const std::filesystem::path& folder,
+void check_path(const PlannedRun& plan) {
+  auto sim = simulation_of(plan.sample);
+  static_cast<void>(path_of(plan).start(sim));
+}
+
+Run run_path(const PlannedRun& plan, const command_line::Saving& saving,
              run_table::ProgressLine& line) {
   using namespace riprap;
   const Sample& s = plan.sample;
-  Simulation sim{Model{}
-                     .contact_law(EnergyConservingSpring{.normal_stiffness = s.stiffness,
-                                                         .tangential_stiffness = s.stiffness})
-                     .criterion(HoekBrown{.compressive_strength = s.strength}),
-                 random_assembly({.count = s.particles, .seed = s.seed}), Rock{}};
+  auto sim = simulation_of(s);
   sim.set_breakage(s.breakage);
 
   Run run{.plan = plan};
   Curve curve;
-  CurveFiles tables{curve, folder};
+  const bool goes_on = !saving.checkpoints().files().empty();
+  CurveFiles tables{curve, saving.folder, goes_on ? OldFile::keep : OldFile::replace};
   Measures measures{run};
   ValidityCheck check;
   line.begin(plan.name(), 1);
   Watch watch{line, plan.stages.size()};
-  const LoadingPath<> path{.confining_pressure = plan.pressure, .stages = plan.stages};
-  const PathResult result = path.run(sim, curve, tables, measures, check, watch);
+  auto path = path_of(plan).start(sim, curve, tables, measures, check, watch);
+  if (goes_on) command_line::go_on(saving, path, sim, curve, tables, measures, check, watch);
+  if (!path.finished()) {
+    command_line::run_with_checkpoints(saving, path, sim, curve, tables, measures, check, watch);
+    if (!path.result().interrupted)
+      saving.checkpoints().write(sim, path, saving.given, curve, tables, measures, check, watch);
+  }
+  const PathResult& result = path.result();
 
   run.points = curve.points();
   run.breakages_before = curve.breakages_before_shear();
   run.stages = result.stages;
   run.warnings = check.warnings();
   run.interrupted = result.interrupted;
-  write_file((folder / "hardin.csv").string(), hardin_csv(run));
+  write_file((saving.folder / "hardin.csv").string(), hardin_csv(run));
   if (!plan.picture.empty())
     assembly_picture(sim.particles(), s.breakage ? sim.failed_ratios() : std::vector<double>{},
                      plan.picture)
-        .save((folder / "assembly.svg").string());
+        .save((saving.folder / "assembly.svg").string());
   return run;
 }
 

@@ -14,6 +14,10 @@
 
 #include "../run_table/progress_line.hpp"
 
+namespace command_line {
+struct Saving;
+}
+
 namespace paths {
 
 struct Sample {
@@ -50,8 +54,13 @@ struct Run {
   bool interrupted = false;
 };
 
-// Makes the run, a unit of the work of `line`; its tables grow in `folder`, which exists.
-Run run_path(const PlannedRun& plan, const std::filesystem::path& folder,
+// Throws InvalidInput if the path cannot be run on the sample.
+void check_path(const PlannedRun& plan);
+
+// Makes the run, a unit of the work of `line`; its tables grow in the folder of `saving`, which
+// exists. Goes on from a checkpoint that is there, and leaves one of its end: a run that is made
+// already takes no step.
+Run run_path(const PlannedRun& plan, const command_line::Saving& saving,
              run_table::ProgressLine& line);
 
 }  // namespace paths

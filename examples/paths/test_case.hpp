@@ -42,6 +42,10 @@ std::vector<PlannedRun> plan_mean_stress(const Options&);
 Findings find_mean_stress(const Options&, const std::vector<Run>&);
 std::vector<PlannedRun> plan_undrained(const Options&);
 Findings find_undrained(const Options&, const std::vector<Run>&);
+// The path of the file that the options name, or of the copy of it in the folder of a test that
+// goes on; throws InvalidInput for a path that cannot be run.
+std::vector<PlannedRun> plan_from_file(const Options&);
+Findings find_from_file(const Options&, const std::vector<Run>&);
 
 inline constexpr std::array<TestCase, 6> test_cases{{
     {"isotropic", "isotropic compression: lambda, kappa, yield stress against particle strength",
