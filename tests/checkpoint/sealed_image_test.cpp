@@ -67,3 +67,23 @@ TEST_CASE("What is no checkpoint, and one of a newer riprap, is refused by name"
   CHECK(message(image) == "FILE is a checkpoint of another version of riprap: schema 5, and this "
                           "one reads 4");
 }
+
+TEST_CASE("A newer schema is refused by name whatever its head holds besides") {
+  const std::string refusal = "FILE is a checkpoint of another version of riprap: schema 12, and "
+                              "this one reads 4";
+  for (const char* const rest : {"", "layout columns\nsha256 0123\n", "bytes 1\ndigest 0\n"}) {
+    const std::string text = std::string("riprap checkpoint\nschema 12\n") + rest;
+    std::vector<std::byte> image(text.size());
+    std::memcpy(image.data(), text.data(), text.size());
+    for (const std::size_t length : {text.size(), size}) {  // a head of another length, too
+      image.resize(length);
+      CHECK(message(image) == refusal);
+      try {
+        check_sealed_image(image, "FILE");
+      } catch (const DamagedCheckpoint&) {
+        FAIL("a folder would go on with an older file");
+      } catch (const InvalidInput&) {
+      }
+    }
+  }
+}

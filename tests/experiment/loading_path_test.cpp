@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 #include <riprap/checkpoint/fields_of.hpp>
+#include <riprap/dynamics/boundary/periodic_cell.hpp>
 #include <riprap/experiment/curve.hpp>
 #include <riprap/experiment/loading_path.hpp>
 #include <riprap/experiment/preparation.hpp>
@@ -13,6 +14,8 @@
 #include <riprap/simulation/simulation.hpp>
 #include <string>
 #include <support/near.hpp>
+#include <support/rectangle.hpp>
+#include <utility>
 #include <vector>
 
 using namespace riprap;
@@ -129,6 +132,85 @@ TEST_CASE("a stage at its cap has missed its target, or is an error") {
                        "straining did not reach its end within 10 steps: mean stress 0 Pa",
                        SimulationError);
   CHECK(sim.contact_law().friction == friction);
+}
+
+TEST_CASE("a constant rate that leads away from the strain that ends its stage is refused") {
+  Unbreakable sim = loose_sample();
+  const auto run = [&](const LoadingStage<>& stage) {
+    LoadingPath<> path;
+    path.stages = {straining(2, StepsMade{.steps = 1}), stage};
+    path.stages[1].zero_strain = true;
+    return path.run(sim);
+  };
+  const StrainReached shortened{.strain = 1e-7};
+  CHECK_THROWS_WITH_AS(run(straining(-2, shortened)),
+                       "stage 'straining': rate of strain of axis_2 = -2: must lead from the "
+                       "strain 0 to 1e-07, which ends the stage",
+                       InvalidInput);
+  // By an inertial number, and to a strain of the axis that stands still.
+  LoadingStage<> stage = straining(2, StrainReached{.strain = -0.5, .of = StrainOf::axis_1});
+  CHECK_THROWS_WITH_AS(run(stage),
+                       "stage 'straining': rate of strain of axis_1 = 0: must lead from the "
+                       "strain 0 to -0.5, which ends the stage",
+                       InvalidInput);
+  stage.axis_1 = LogarithmicRate{.rate_of_strain = {.inertial_number = 1e-3}};
+  CHECK_THROWS_AS(run(stage), InvalidInput);
+  // A cap that is an error ends nothing, one of the stage's own after which the path goes on does.
+  stage = straining(-2, shortened);
+  stage.most_steps = 3;
+  CHECK(run(stage).stages[1].steps == 3);
+  stage.at_cap = AtCap::error;
+  CHECK_THROWS_AS(run(stage), InvalidInput);
+
+  // One part that can end it is enough for "any", one that cannot too much for "all".
+  using Any = AnyOf<SingleEndOr<>>;
+  using All = AllOf<SingleEndOr<>>;
+  const StepsMade steps{.steps = 3};
+  CHECK(run(straining(-2, Any{{{shortened, steps}}})).stages[1].steps == 3);
+  CHECK_THROWS_AS(run(straining(-2, Any{{{shortened, shortened}}})), InvalidInput);
+  CHECK_THROWS_AS(run(straining(-2, All{{{shortened, steps}}})), InvalidInput);
+  // A strain of volume, and one that is there at the start.
+  CHECK(run(straining(-2, StrainReached{.strain = 0})).stages[1].reached_target);
+  stage = straining(-2, StrainReached{.strain = 1e-7, .of = StrainOf::volume});
+  stage.axis_1 = EngineeringRate{.rate_of_strain = {.per_second = 4}, .smooth = false};
+  CHECK(run(stage).stages[1].reached_target);
+}
+
+TEST_CASE("the stage is judged from the strain at which it begins") {
+  Unbreakable sim = loose_sample();
+  LoadingPath<> path;
+  path.stages = {straining(2, StrainReached{.strain = 2e-6}),
+                 straining(-2, StrainReached{.strain = 1e-6})};
+  CHECK(path.run(sim).stages[1].reached_target);
+  path.stages[1] = straining(2, StrainReached{.strain = 1e-6});
+  CHECK_THROWS_AS(path.run(sim), InvalidInput);
+}
+
+TEST_CASE("a cell or a boundary that is driven to no area says the stage and the axis") {
+  // In parts of its length a step.
+  const auto text_of = [](auto&& sim, int axis, double rate) {
+    LoadingPath<> path;
+    path.stages = {straining(rate / sim.time_step(), StepsMade{.steps = 100})};
+    if (axis == 1) std::swap(path.stages[0].axis_1, path.stages[0].axis_2);
+    try {
+      path.run(sim);
+    } catch (const SimulationError& error) {
+      return std::string(error.what());
+    }
+    return std::string{};
+  };
+  CHECK(text_of(loose_sample(), 2, 1.25)
+            .starts_with("stage 'straining': axis_2 has no length left at strain 0: its rate is "));
+  // A particle that no image comes near; two such steps are more than the whole length.
+  const auto cell = [] {
+    return Simulation{Model{}.criterion(NeverFails{}).boundary(PeriodicCell{}),
+                      {.particles = {{test::rectangle({0, 0}, 1e-3, 1e-3)}}, .period = {1, 1}},
+                      Rock{}};
+  };
+  CHECK(text_of(cell(), 1, 0.625)
+            .starts_with("stage 'straining': axis_1 has no length left at strain 0.625: "));
+  CHECK(text_of(cell(), 2, 0.625)
+            .starts_with("stage 'straining': axis_2 has no length left at strain 0.625: "));
 }
 
 TEST_CASE("breakage and friction are off where a stage says so, and back afterwards") {

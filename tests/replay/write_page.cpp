@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Writes the page of a short run with breaks: riprap_replay_page FILE.
+// Writes the page of a short run with breaks: riprap_replay_page FILE. Fails where it is too large.
 
 #include <cstdio>
 #include <exception>
@@ -28,8 +28,17 @@ int main(int argc, char** argv) {
     if (sim.breaks().size() < 5) return 1;
     const auto run = replay::read_run(FrameWriter::file_in(folder).string(), 1);
     // A title that must not end the data of the page.
-    write_file(page, replay::page_of(run, "60 particles </script> & more"));
+    const std::string text = replay::page_of(run, "60 particles </script> & more");
+    write_file(page, text);
     FrameWriter::remove(folder);
+    // The run of docs/replay.md, 500 particles in 248 frames, is to stay below 20 MB.
+    const double most = 20e6 / (500.0 * 248) * 60 * static_cast<double>(run.frames.size());
+    std::printf("%zu frames of 60 particles: %zu bytes, at most %.0f\n", run.frames.size(),
+                text.size(), most);
+    if (static_cast<double>(text.size()) > most) {
+      std::fprintf(stderr, "the page is too large\n");
+      return 1;
+    }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

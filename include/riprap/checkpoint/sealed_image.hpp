@@ -23,7 +23,8 @@ struct DamagedCheckpoint : InvalidInput {
 /// Writes the head, lines of text, into the first 512 bytes of an image.
 void seal_image(std::vector<std::byte>& image);
 
-/// Throws DamagedCheckpoint unless `image` is as it was sealed; InvalidInput for a higher schema.
+/// Throws InvalidInput for a higher schema, whatever comes after the line that says so;
+/// DamagedCheckpoint unless `image` is as it was sealed; InvalidInput for a lower schema.
 /// @param path where it was read, for messages
 void check_sealed_image(const std::vector<std::byte>& image, const std::string& path);
 

@@ -33,6 +33,12 @@ checkpoint_head(unsigned long schema, unsigned long long size, unsigned long lon
   return digest(std::span(image).subspan(head_size));
 }
 
+[[noreturn]] RIPRAP_INLINE void throw_other_schema(const std::string& path, unsigned long schema) {
+  throw InvalidInput(path + " is a checkpoint of another version of riprap: schema " +
+                     std::to_string(schema) + ", and this one reads " +
+                     std::to_string(checkpoint_schema));
+}
+
 }  // namespace internal
 
 RIPRAP_INLINE void seal_image(std::vector<std::byte>& image) {
@@ -50,9 +56,14 @@ RIPRAP_INLINE void check_sealed_image(const std::vector<std::byte>& image,
   const std::size_t common = std::min(head.size(), first_line.size());
   if (head.compare(0, common, first_line, 0, common) != 0)
     throw DamagedCheckpoint(path + " is no checkpoint of riprap");
+  // Another layout may follow this line, with neither size nor digest where they are looked for.
+  unsigned long schema = 0;
+  char after = 0;
+  if (std::sscanf(head.c_str() + common, "schema %lu%c", &schema, &after) == 2 && after == '\n' &&
+      schema > checkpoint_schema)
+    throw_other_schema(path, schema);
   if (head.size() < head_size)
     throw DamagedCheckpoint(path + " is truncated: " + std::to_string(head.size()) + " bytes");
-  unsigned long schema = 0;
   unsigned long long size = 0;
   unsigned long long written = 0;
   if (std::sscanf(head.c_str() + first_line.size(), "schema %lu\nbytes %llu\ndigest %llx", &schema,
@@ -64,10 +75,7 @@ RIPRAP_INLINE void check_sealed_image(const std::vector<std::byte>& image,
                             " bytes");
   if (written != digest_of_rest(image) || head != checkpoint_head(schema, size, written))
     throw DamagedCheckpoint(path + " is damaged: its digest is another one");
-  if (schema != checkpoint_schema)
-    throw InvalidInput(path + " is a checkpoint of another version of riprap: schema " +
-                       std::to_string(schema) + ", and this one reads " +
-                       std::to_string(checkpoint_schema));
+  if (schema != checkpoint_schema) throw_other_schema(path, schema);
 }
 
 }  // namespace riprap

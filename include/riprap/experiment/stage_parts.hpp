@@ -14,6 +14,7 @@
 #include <riprap/core/vec2.hpp>
 #include <riprap/experiment/loading_concepts.hpp>
 #include <riprap/experiment/path_result.hpp>
+#include <riprap/experiment/reachable_end.hpp>
 #include <riprap/particle/body.hpp>
 
 namespace riprap::internal {
@@ -32,6 +33,7 @@ void naming_stage(const std::string& name, Work&& work) {
   std::visit([&](auto& c) { begin_part(c, view, axis); }, control);
 }
 [[gnu::cold]] void begin_parts(auto& stage, const auto& view) {
+  require_reachable_end(stage, view);
   begin_axis(stage.axis_1, view, 1);
   begin_axis(stage.axis_2, view, 2);
   std::visit([&](auto& c) { begin_part(c, view); }, stage.end);
@@ -69,12 +71,17 @@ template <class View>
 /// Shortening rates of both axes for the next step [1/s]; an axis that follows comes second.
 template <class View>
 [[nodiscard]] Vec2 wanted_rates(auto& stage, const View& view) {
-  if (follows<View>(stage.axis_1)) {
-    const double second = rate_of(stage.axis_2, view, 2, 0);
-    return {rate_of(stage.axis_1, view, 1, second), second};
-  }
-  const double first = rate_of(stage.axis_1, view, 1, 0);
-  return {first, rate_of(stage.axis_2, view, 2, first)};
+  const auto both = [&]() -> Vec2 {
+    if (follows<View>(stage.axis_1)) {
+      const double second = rate_of(stage.axis_2, view, 2, 0);
+      return {rate_of(stage.axis_1, view, 1, second), second};
+    }
+    const double first = rate_of(stage.axis_1, view, 1, 0);
+    return {first, rate_of(stage.axis_2, view, 2, first)};
+  };
+  Vec2 rates = both();
+  require_length_left(stage, view, rates);
+  return rates;
 }
 
 /// The sample moves as a whole from the first step on.

@@ -19,6 +19,10 @@ struct Fixed {
   [[nodiscard]] double rate(const View& /*view*/, int /*axis*/) const {
     return 0;
   }
+  template <class View>
+  [[nodiscard]] double constant_rate(const View& /*view*/) const {
+    return 0;
+  }
 };
 
 namespace internal {
@@ -50,6 +54,10 @@ struct EngineeringRate {
   [[nodiscard]] double rate(const View& view, int axis) const {
     return ramp.share(view) * rate_of_strain.value(view) / view.stretch[axis - 1];
   }
+  template <class View>
+  [[nodiscard]] double constant_rate(const View& view) const {
+    return rate_of_strain.value(view);
+  }
   void validate(const std::string& owner) const { rate_of_strain.validate(owner); }
 
   template <class Self, class Visit>
@@ -74,6 +82,10 @@ struct LogarithmicRate {
   template <class View>
   [[nodiscard]] double rate(const View& view, int /*axis*/) const {
     return ramp.share(view) * rate_of_strain.value(view);
+  }
+  template <class View>
+  [[nodiscard]] double constant_rate(const View& view) const {
+    return rate_of_strain.value(view);
   }
   void validate(const std::string& owner) const { rate_of_strain.validate(owner); }
 

@@ -3,14 +3,19 @@
 /// @file
 /// Holds the force on one wall by moving the wall.
 
+#include <string>
+
 #include <riprap/core/errors.hpp>
+#include <riprap/core/ids.hpp>
+#include <riprap/core/vec2.hpp>
 #include <riprap/experiment/pressure_servo.hpp>
 #include <riprap/particle/particles.hpp>
 
 namespace riprap {
 
 /// Sets the velocity of a driven body so that it pushes with a given force. To be called before
-/// every step, after which the velocity holds; it is along one direction, without spin.
+/// every step, after which the velocity holds; it is along one direction, without spin. The body is
+/// known by its id, so that others may come and go.
 ///
 ///     WallServo servo(lid, {0, -1}, 500, 2e7, 1e-4, 0.1);
 ///     for (int n = 0; n < 10000; ++n) {
@@ -19,6 +24,7 @@ namespace riprap {
 ///     }
 class WallServo {
  public:
+  /// @param wall      id of the body; in a new simulation that is its place in the assembly
   /// @param direction in which it pushes; its length does not count
   /// @param force     to hold [N], positive: the component of the contact force on the body against
   ///                  `direction`
@@ -27,9 +33,9 @@ class WallServo {
   /// @param response  time in which the force follows [s]: several time steps
   /// @param largest_speed [m/s]
   /// Throws InvalidInput unless all are finite and the last three above 0.
-  WallServo(BodyIndex body, const Vec2& direction, double force, double stiffness, double response,
+  WallServo(ParticleId wall, const Vec2& direction, double force, double stiffness, double response,
             double largest_speed)
-      : body_(body), direction_(unit(direction)),
+      : wall_(wall), direction_(unit(direction)),
         control_(positive("WallServo: stiffness", stiffness),
                  positive("WallServo: response", response),
                  positive("WallServo: largest speed", largest_speed)) {
@@ -40,24 +46,23 @@ class WallServo {
     require_finite("WallServo: force", force);
     force_ = force;
   }
-  /// Its body has another index now.
-  void set_body(BodyIndex body) { body_ = body; }
 
-  /// The force with which the body pushes now [N].
+  /// The force with which the body pushes now [N]. Throws InvalidInput if it has gone.
   template <class Sim>
   [[nodiscard]] double pushes_with(const Sim& sim) const {
-    return -direction_.dot(sim.force_on(body_).force);
+    return -direction_.dot(sim.force_on(index_in(sim)).force);
   }
 
+  /// Throws InvalidInput if the body has gone.
   template <class Sim>
   void operator()(Sim& sim) {
     const double speed = control_.rate(force_ - pushes_with(sim), sim.time_step());
-    sim.set_velocity(body_, speed * direction_);
+    sim.set_velocity(index_in(sim), speed * direction_);
   }
 
   static constexpr bool names_all_members = true;
   static void for_each_field(auto& self, auto&& visit) {
-    visit("body", self.body_);
+    visit("wall", self.wall_);
     visit("direction", self.direction_);
     visit("force", self.force_);
     visit("control", self.control_);
@@ -74,7 +79,15 @@ class WallServo {
     return value;
   }
 
-  BodyIndex body_;
+  [[nodiscard]] BodyIndex index_in(const auto& sim) const {
+    const auto found = sim.particles().find(wall_);
+    if (!found)
+      throw InvalidInput("WallServo: " + particle_text(wall_) +
+                         ": must be in the simulation; it has broken or was removed");
+    return *found;
+  }
+
+  ParticleId wall_;
   Vec2 direction_;
   double force_ = 0;
   PressureServo control_;
