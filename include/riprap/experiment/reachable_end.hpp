@@ -5,7 +5,7 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -17,16 +17,16 @@
 
 namespace riprap::internal {
 
-/// Of axes 1 and 2 [1/s], where it is constant in the stage and known at its start.
-using ConstantRates = std::array<std::optional<double>, 2>;
+/// Of axes 1 and 2 [1/s]; not-a-number where it is not constant in the stage.
+using ConstantRates = std::array<double, 2>;
 
-[[nodiscard]] std::optional<double> constant_rate_of(const auto& control, const auto& view) {
+[[nodiscard]] double constant_rate_of(const auto& control, const auto& view) {
   return std::visit(
-      [&](const auto& c) -> std::optional<double> {
+      [&](const auto& c) -> double {
         if constexpr (requires { c.constant_rate(view); })
           return c.constant_rate(view);
         else
-          return std::nullopt;
+          return std::numeric_limits<double>::quiet_NaN();
       },
       control);
 }
@@ -40,9 +40,8 @@ using ConstantRates = std::array<std::optional<double>, 2>;
                                                     const ConstantRates& rates, const auto& view) {
   if (end.of == StrainOf::volume) return nullptr;
   const int axis = end.of == StrainOf::axis_1 ? 1 : 2;
-  const std::optional<double> rate = rates[static_cast<std::size_t>(axis - 1)];
   const double way = end.strain - view.strain(axis);
-  return rate && way != 0 && *rate * way <= 0 ? &end : nullptr;
+  return way != 0 && rates[static_cast<std::size_t>(axis - 1)] * way <= 0 ? &end : nullptr;
 }
 template <class One>
 [[nodiscard]] const StrainReached* unreachable_part(const AnyOf<One>& end,
@@ -79,7 +78,7 @@ template <class One>
   if (end == nullptr) return;
   const int axis = end->of == StrainOf::axis_1 ? 1 : 2;
   require(false, "stage '" + stage.name + "': rate of strain of axis_" + std::to_string(axis),
-          *rates[static_cast<std::size_t>(axis - 1)],
+          rates[static_cast<std::size_t>(axis - 1)],
           "must lead from the strain " + to_text(view.strain(axis)) + " to " +
               to_text(end->strain) + ", which ends the stage");
 }
