@@ -369,6 +369,24 @@ TEST_CASE("A checkpoint with other fields of an observer is refused, and nothing
   Changing observer;
   read_checkpoint(file.path(), sim, observer);
   CHECK(observer.second == 20);
+
+  // Of a path the state of every stage.
+  const LoadingStage<> hold{.name = "hold", .end = StepsMade{.steps = 3}};
+  const LoadingStage<> press{.name = "press",
+                             .axis_2 = EngineeringRate{.rate_of_strain = {.per_second = 1}},
+                             .end = StressReached{.stress = 1e9}};
+  const LoadingPath<> path{.confining_pressure = 2e6, .stages = {hold, press}};
+  {
+    auto run = path.start(sim);
+    for (int k = 0; k < 6; ++k) REQUIRE(run.advance());
+    write_checkpoint(file.path(), sim, run, observer);
+  }
+  auto run = path.start(sim);
+  const std::uint64_t at_start = digest(internal::checkpoint_fields(sim, run));
+  layout = Layout::more;
+  CHECK_THROWS_AS(read_checkpoint(file.path(), sim, run, observer), InvalidInput);
+  layout = Layout::whole;
+  CHECK(digest(internal::checkpoint_fields(sim, run)) == at_start);
 }
 
 TEST_CASE("The file says which schema and versions wrote it, and its arrays have checksums") {
@@ -442,8 +460,24 @@ TEST_CASE("A checkpoint of another path is refused, one of a path that ends else
         "stage_1_record_every is 0.0025 in the file and 0.1 in the program");
   CHECK(changed(1, [](auto& s) { s.end = StressReached{.stress = 1e6}; }) ==
         "stage_1_end is 'strain' in the file and 'stress' in the program");
+  CHECK(changed(1, [](auto& s) { s.end = StrainReached{.strain = 0.1, .of = StrainOf::axis_1}; }) ==
+        "stage_1_end_of is 1 in the file and 0 in the program");
+  CHECK_FALSE(changed(1, [](auto& s) { s.part = Stage::compaction; }).empty());
   CHECK(changed(1, [](auto& s) { s.end = StrainReached{.strain = 0.2}; }).empty());
   CHECK(changed(1, [](auto& s) { s.most_steps = 1000; }).empty());
+
+  // On the other side of where the strain was when the stage began: one more step does not end it.
+  LoadingPath<> back = path;
+  back.stages[1].end = StrainReached{.strain = -0.1};
+  // The sample from which rates by inertial number were computed is that of the file.
+  auto other_sim = simulation_of(weak_model(), 2);
+  auto run = back.start(other_sim);
+  const double of_other = run.view().mean_diameter;
+  read_checkpoint(file.path(), other_sim, run);
+  CHECK(run.view().mean_diameter == path.start(sim).view().mean_diameter);
+  CHECK(run.view().mean_diameter != of_other);
+  REQUIRE(run.advance());
+  CHECK_FALSE(run.view().reached_target);
 }
 
 TEST_CASE("A folder keeps the last two checkpoints, and the newest that is whole is read") {

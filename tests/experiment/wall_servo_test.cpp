@@ -59,10 +59,9 @@ TEST_CASE(
     CHECK(sim.force_on(i).force.y() == near_relative(1e3, 1e-6));
     const double height = sim.particles().body(i).position.y();
     sim.remove(lid);
-    CHECK_THROWS_WITH_AS(
-        servo(sim),
-        "WallServo: particle 3: must be in the simulation; it has broken or was removed",
-        InvalidInput);
+    CHECK_THROWS_WITH_AS(servo(sim),
+                         "particle 3: must be in the simulation; it has broken or was removed",
+                         InvalidInput);
     return height;
   };
   CHECK(at(true) == at(false));

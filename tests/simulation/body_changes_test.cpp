@@ -117,8 +117,11 @@ TEST_CASE("ids are not used again, and what cannot be is refused without a trace
   CHECK(sim.particles().body(sim.index_of(first)).angular_velocity == 3);
   sim.remove(first);
   CHECK(sim.add(rectangle({0.5, 0}, 0.02, 0.02)) == 5);
-  CHECK_THROWS_WITH_AS(sim.remove(4), "particle 4: must be in the simulation", InvalidInput);
-  CHECK_THROWS_WITH_AS((void)sim.index_of(4), "particle 4: must be in the simulation",
+  CHECK_THROWS_WITH_AS(sim.remove(4),
+                       "particle 4: must be in the simulation; it has broken or was removed",
+                       InvalidInput);
+  CHECK_THROWS_WITH_AS((void)sim.index_of(4),
+                       "particle 4: must be in the simulation; it has broken or was removed",
                        InvalidInput);
   sim.remove(5);
   // Right in another one.

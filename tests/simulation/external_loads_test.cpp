@@ -79,7 +79,8 @@ TEST_CASE("a load stays with its body when another is removed, and ends when its
   REQUIRE(sim.breaks().size() == 1);
   for (const ParticleId piece : sim.breaks()[0].pieces)
     CHECK(sim.load_on(piece).force == Vec2{0, 0});
-  CHECK_THROWS_WITH_AS(sim.set_load(1, {1, 0}), "particle 1: must be in the simulation",
+  CHECK_THROWS_WITH_AS(sim.set_load(1, {1, 0}),
+                       "particle 1: must be in the simulation; it has broken or was removed",
                        InvalidInput);
   CHECK_THROWS_WITH_AS(sim.set_load(2, {std::numeric_limits<double>::infinity(), 0}),
                        "particle 2: load (inf, 0) N, 0 N m: must be finite", InvalidInput);

@@ -15,23 +15,16 @@ namespace riprap {
 /// or from above.
 struct Crossing {
   double first = 0;
-  bool from_below = true;
 
-  void begin(double value, double target) {
-    first = value;
-    from_below = value <= target;
-  }
+  void begin(double value) { first = value; }
   [[nodiscard]] bool reached(double value, double target) const {
-    return from_below ? value >= target : value <= target;
+    return first <= target ? value >= target : value <= target;
   }
   [[nodiscard]] double done(double value, double target) const {
     return (value - first) / (target - first);
   }
 
-  static void for_each_field(auto& self, auto&& visit) {
-    visit("first", self.first);
-    visit("from_below", self.from_below);
-  }
+  static void for_each_field(auto& self, auto&& visit) { visit("first", self.first); }
 };
 
 enum class StrainOf { axis_1, axis_2, volume };
@@ -52,7 +45,7 @@ struct StrainReached {
 
   template <class View>
   void begin(const View& view) {
-    crossing.begin(value(view), strain);
+    crossing.begin(value(view));
   }
   template <class View>
   [[nodiscard]] bool reached(const View& view) const {
@@ -91,7 +84,7 @@ struct StressReached {
 
   template <class View>
   void begin(const View& view) {
-    crossing.begin(value(view), stress);
+    crossing.begin(value(view));
   }
   template <class View>
   [[nodiscard]] bool reached(const View& view) const {

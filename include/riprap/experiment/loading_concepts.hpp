@@ -38,8 +38,8 @@ concept EndReached = requires(E& condition, const View& view) {
 
 /// Drives one axis of the sample. Optional: `begin(view, axis)`, at the start of the stage;
 /// `held()`, whether the stage may count as having reached its target; `servo` or `control.servo`,
-/// a TrackingServo; `constant_rate(view)`, its rate of strain [1/s] where that is constant in the
-/// stage; `validate(owner)`.
+/// a TrackingServo; `constant_rate(view)`, its rate of strain [1/s] but for a ramp at the start,
+/// whose sign is then that of the whole stage; `validate(owner)`.
 template <class C, class View>
 concept ControlsAxis = std::copyable<C> &&
                        (requirements::ControlRate<C, View> || requirements::FollowingRate<C, View>);

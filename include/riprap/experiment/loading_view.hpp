@@ -98,6 +98,7 @@ struct LoadingView {
   static constexpr bool names_all_members = false;
   /// What a run that goes on needs; the rest follows from the path and the simulation.
   static void for_each_field(auto& self, auto&& visit) {
+    visit("mean_diameter", self.mean_diameter);
     visit("done", self.done);
     visit("reached_target", self.reached_target);
     visit("interrupted", self.interrupted);

@@ -87,7 +87,6 @@ class PathRun {
     visit("confining_pressure", self.view_.confining_pressure);
     internal::name_path_parameters(self.stages_, visit);
   }
-  /// `stage` comes first: it decides which controls the fields after it are of.
   static void for_each_field(auto& self, auto&& visit) {
     visit("stage", self.index_);
     visit("open", self.open_);
@@ -100,9 +99,10 @@ class PathRun {
     visit("frictionless", self.frictionless_);
     visit("breakage", self.breakage_);
     visit("interrupted", self.result_.interrupted);
-    for (std::size_t k = 0; k < self.stages_.size(); ++k)
+    for (std::size_t k = 0; k < self.stages_.size(); ++k) {
       visit(("result_" + std::to_string(k)).c_str(), self.result_.stages[k]);
-    if (self.index_ < self.stages_.size()) visit("controls", self.stages_[self.index_]);
+      visit(("controls_" + std::to_string(k)).c_str(), self.stages_[k]);
+    }
   }
   /// After the fields have been overwritten.
   void restored() {

@@ -87,7 +87,7 @@ template <class One>
 void require_length_left(const auto& stage, const auto& view, const Vec2& rates) {
   const double step = view.sim.time_step();
   for (const int axis : {1, 2})
-    if (step * rates[axis - 1] >= 1) [[unlikely]]
+    if (!(step * rates[axis - 1] < 1)) [[unlikely]]
       throw SimulationError("stage '" + stage.name + "': axis_" + std::to_string(axis) +
                             " has no length left at strain " + to_text(view.strain(axis)) +
                             ": its rate is " + to_text(rates[axis - 1]) + " 1/s, the time step " +

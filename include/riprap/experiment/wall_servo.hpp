@@ -50,14 +50,15 @@ class WallServo {
   /// The force with which the body pushes now [N]. Throws InvalidInput if it has gone.
   template <class Sim>
   [[nodiscard]] double pushes_with(const Sim& sim) const {
-    return -direction_.dot(sim.force_on(index_in(sim)).force);
+    return pushes_with(sim, sim.index_of(wall_));
   }
 
   /// Throws InvalidInput if the body has gone.
   template <class Sim>
   void operator()(Sim& sim) {
-    const double speed = control_.rate(force_ - pushes_with(sim), sim.time_step());
-    sim.set_velocity(index_in(sim), speed * direction_);
+    const BodyIndex i = sim.index_of(wall_);
+    const double speed = control_.rate(force_ - pushes_with(sim, i), sim.time_step());
+    sim.set_velocity(i, speed * direction_);
   }
 
   static constexpr bool names_all_members = true;
@@ -79,12 +80,8 @@ class WallServo {
     return value;
   }
 
-  [[nodiscard]] BodyIndex index_in(const auto& sim) const {
-    const auto found = sim.particles().find(wall_);
-    if (!found)
-      throw InvalidInput("WallServo: " + particle_text(wall_) +
-                         ": must be in the simulation; it has broken or was removed");
-    return *found;
+  [[nodiscard]] double pushes_with(const auto& sim, BodyIndex i) const {
+    return -direction_.dot(sim.force_on(i).force);
   }
 
   ParticleId wall_;

@@ -109,7 +109,9 @@ class BodyChanges {
   /// has broken or was removed.
   [[nodiscard]] BodyIndex index_of(ParticleId id) const {
     const auto found = sim().particles().find(id);
-    if (!found) throw InvalidInput(particle_text(id) + ": must be in the simulation");
+    if (!found)
+      throw InvalidInput(particle_text(id) +
+                         ": must be in the simulation; it has broken or was removed");
     return *found;
   }
 
