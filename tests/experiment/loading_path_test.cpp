@@ -250,7 +250,7 @@ TEST_CASE("a program's own control and condition run, and stop and go on") {
     auto run = sample_path.start(sim, curve);
     for (int n = 0; n < 15; ++n) REQUIRE(run.advance());
     fields = fields_of(run, "run");
-    CHECK(fields.child("controls").child("axis_1").child("begun_at").rows == 1);
+    CHECK(fields.child("controls_1").child("axis_1").child("begun_at").rows == 1);
   }
   auto run = sample_path.start(sim, curve);
   read_fields(fields, run);

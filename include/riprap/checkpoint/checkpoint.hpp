@@ -7,10 +7,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
-#include <string_view>
 #include <tuple>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 #include <riprap/checkpoint/durable_file.hpp>
@@ -54,18 +51,12 @@ template <class Part>
 inline constexpr bool has_parameters =
     requires(const Part& part, const AnyField visit) { Part::for_each_parameter(part, visit); };
 
-/// The name of a part's class; the simulation and its model, which may have another acceleration,
-/// are not in it.
-template <class Part, class Sim>
+/// The name of a part's class, of a class template without its arguments: the simulation among
+/// them may have another acceleration, and compilers leave default arguments out or not. What the
+/// arguments decide is in the fields and parameters.
+template <class Part>
 [[nodiscard]] std::string part_type() {
-  std::string name(type_name<Part>());
-  const auto replace = [&](std::string_view long_name, std::string_view short_name) {
-    for (std::size_t at = 0; (at = name.find(long_name, at)) != name.npos; at += short_name.size())
-      name.replace(at, long_name.size(), short_name);
-  };
-  replace(type_name<Sim>(), "Simulation");
-  replace(type_name<std::remove_cvref_t<decltype(std::declval<Sim>().model())>>(), "Model");
-  return name;
+  return std::string(type_name<Part>().substr(0, type_name<Part>().find('<')));
 }
 
 /// Objects by their number, with the names of their classes.
@@ -122,7 +113,7 @@ template <class Sim, class... Parts>
   writer.append(top.child_at(2, "parts"), NumberedParts<const Parts...>{{parts...}});
   top.child_at(3, "parameters") = parameter_fields(parts...);
   std::size_t k = 0;
-  ((top.children[2].children[k++].type = part_type<Parts, Sim>()), ...);
+  ((top.children[2].children[k++].type = part_type<Parts>()), ...);
   return top;
 }
 
@@ -132,7 +123,7 @@ void require_same_model(FieldNode& top, const std::string& path, const Sim& sim,
   if (const auto what = difference(top.child("model"), model_fields(sim)))
     throw InvalidInput(path + " is of another model: " + *what);
   const std::vector<FieldNode>& parts = top.child("parts").children;
-  const std::vector<std::string> types{part_type<Parts, Sim>()...};
+  const std::vector<std::string> types{part_type<Parts>()...};
   if (parts.size() != types.size())
     throw InvalidInput(path + " holds " + std::to_string(parts.size()) +
                        " experiments and observers, the program has " +
