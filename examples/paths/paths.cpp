@@ -2,11 +2,9 @@
 // paths: tests along ready-made loading paths, or along that of a file, with curves and pictures
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <span>
 
 #include <riprap/core/version.hpp>
 #include <riprap/output/chart.hpp>
@@ -87,14 +85,10 @@ std::vector<TestCase> chosen_tests(const Options& o, const std::string& name,
 // cannot be made.
 void begin(const std::vector<TestCase>& tests, const Options& o) {
   for (const TestCase& test : tests) static_cast<void>(test.plan(o));
-  std::string path;
-  if (o.reads_file()) {
-    std::ifstream file(o.test);
-    path.assign(std::istreambuf_iterator<char>(file), {});
-  }
+  std::vector<std::byte> path;
+  if (o.reads_file()) path = riprap::read_whole_file(o.test);
   for (const TestCase& test : tests) empty_folder(fs::path(o.out) / test.name);
-  if (o.reads_file())
-    riprap::write_durable_file(o.path_copy().string(), std::as_bytes(std::span(path)));
+  if (o.reads_file()) riprap::write_durable_file(o.path_copy().string(), path);
   command_line::write_parameters(o.toml, o.out);
 }
 
